@@ -48,11 +48,15 @@ struct type_17 {
 
 struct type_19 {
     member: array<u32, 64>,
-    member_1: array<u32, 64>,
-    member_2: u32,
+    member_1: u32,
 }
 
 struct type_20 {
+    member: type_19,
+    member_1: type_19,
+}
+
+struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -74,90 +78,94 @@ struct type_20 {
     member_18: u32,
 }
 
-struct type_21 {
+struct type_22 {
     member: type_7,
     member_1: type_8,
-    member_2: type_20,
+    member_2: type_21,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_23 {
+    member: type_22,
 }
 
-struct type_24 {
+struct type_25 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
 
-struct type_27 {
+struct type_28 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(3) 
 var<storage> input: type_11;
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_23;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_17;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_17;
 @group(0) @binding(4) 
-var<storage, read_write> rounds: type_27;
+var<storage, read_write> rounds: type_28;
 @group(0) @binding(5) 
-var<storage, read_write> output: type_27;
+var<storage, read_write> output: type_28;
 @group(0) @binding(6) 
-var<storage, read_write> pairs: type_27;
+var<storage, read_write> pairs: type_28;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_19;
-    var phi_270_: array<u32, 2>;
-    var phi_271_: array<u32, 2>;
-    var phi_272_: array<u32, 2>;
-    var phi_321_: bool;
-    var phi_322_: bool;
-    var phi_323_: bool;
-    var phi_324_: bool;
-    var phi_395_: array<u32, 2>;
-    var phi_396_: array<u32, 2>;
-    var phi_397_: array<u32, 2>;
-    var phi_171_: array<u32, 2>;
-    var phi_398_: array<u32, 2>;
-    var phi_642_: type_9;
-    var phi_755_: type_9;
-    var phi_814_: array<u32, 2>;
-    var phi_955_: type_24;
-    var phi_956_: type_24;
-    var phi_957_: bool;
-    var phi_958_: type_24;
-    var phi_959_: bool;
-    var phi_1019_: bool;
-    var phi_1020_: bool;
-    var phi_1021_: bool;
-    var phi_1022_: bool;
-    var phi_1023_: bool;
-    var phi_1024_: bool;
-    var phi_1219_: type_24;
-    var phi_1220_: bool;
-    var phi_1221_: type_24;
-    var phi_1222_: bool;
-    var phi_1429_: type_24;
-    var phi_1430_: type_24;
-    var phi_1431_: type_24;
-    var phi_1432_: bool;
-    var phi_1433_: type_24;
-    var phi_1434_: type_24;
-    var phi_1435_: bool;
-    var phi_1439_: type_24;
-    var phi_1550_: type_9;
-    var phi_1767_: type_9;
-    var phi_1984_: type_9;
-    var phi_2201_: type_9;
-    var phi_2309_: bool;
-    var phi_2310_: bool;
-    var phi_2313_: type_9;
-    var phi_2372_: array<u32, 2>;
-    var phi_2415_: bool;
-    var phi_2416_: bool;
+fn function_(param: u32) -> u32 {
+    return param;
+}
+
+fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_20;
+    var phi_274_: array<u32, 2>;
+    var phi_275_: array<u32, 2>;
+    var phi_276_: array<u32, 2>;
+    var phi_325_: bool;
+    var phi_326_: bool;
+    var phi_327_: bool;
+    var phi_328_: bool;
+    var phi_399_: array<u32, 2>;
+    var phi_400_: array<u32, 2>;
+    var phi_401_: array<u32, 2>;
+    var phi_175_: array<u32, 2>;
+    var phi_402_: array<u32, 2>;
+    var phi_655_: type_9;
+    var phi_776_: type_9;
+    var phi_843_: array<u32, 2>;
+    var phi_984_: type_25;
+    var phi_985_: type_25;
+    var phi_986_: bool;
+    var phi_987_: type_25;
+    var phi_988_: bool;
+    var phi_1048_: bool;
+    var phi_1049_: bool;
+    var phi_1050_: bool;
+    var phi_1051_: bool;
+    var phi_1052_: bool;
+    var phi_1053_: bool;
+    var phi_1248_: type_25;
+    var phi_1249_: bool;
+    var phi_1250_: type_25;
+    var phi_1251_: bool;
+    var phi_1458_: type_25;
+    var phi_1459_: type_25;
+    var phi_1460_: type_25;
+    var phi_1461_: bool;
+    var phi_1462_: type_25;
+    var phi_1463_: type_25;
+    var phi_1464_: bool;
+    var phi_1468_: type_25;
+    var phi_1579_: type_9;
+    var phi_1804_: type_9;
+    var phi_2029_: type_9;
+    var phi_2254_: type_9;
+    var phi_2370_: bool;
+    var phi_2371_: bool;
+    var phi_2374_: type_9;
+    var phi_2441_: array<u32, 2>;
+    var phi_2484_: bool;
+    var phi_2485_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -178,12 +186,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e173 = (2u * _e45);
             let _e176 = input.member[(4u + _e173)];
             let _e179 = input.member[(_e173 + 5u)];
-            phi_171_ = array<u32, 2>(_e176, _e179);
+            phi_175_ = array<u32, 2>(_e176, _e179);
         } else {
-            phi_171_ = array<u32, 2>(4294967295u, 4294967295u);
+            phi_175_ = array<u32, 2>(4294967295u, 4294967295u);
         }
-        let _e182 = phi_171_;
-        phi_398_ = _e182;
+        let _e182 = phi_175_;
+        phi_402_ = _e182;
     } else {
         let _e53 = params.member.member_2.member_2;
         let _e56 = params.member.member_2.member_2;
@@ -208,567 +216,593 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if select(true, (_e62 <= _e66), _e69) {
                         let _e82 = input.member[(4u + _e62)];
                         let _e86 = input.member[((_e71 + 4u) + _e66)];
-                        phi_270_ = array<u32, 2>(_e82, _e86);
+                        phi_274_ = array<u32, 2>(_e82, _e86);
                     } else {
-                        phi_270_ = array<u32, 2>(4294967295u, 4294967295u);
+                        phi_274_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e89 = phi_270_;
-                    phi_271_ = _e89;
+                    let _e89 = phi_274_;
+                    phi_275_ = _e89;
                 } else {
-                    phi_271_ = array<u32, 2>(4294967295u, 4294967295u);
+                    phi_275_ = array<u32, 2>(4294967295u, 4294967295u);
                 }
-                let _e91 = phi_271_;
-                phi_272_ = _e91;
+                let _e91 = phi_275_;
+                phi_276_ = _e91;
             } else {
-                phi_272_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_276_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e93 = phi_272_;
+            let _e93 = phi_276_;
             if (_e93[0] != 4294967295u) {
                 let _e98 = params.member.member_2.member;
                 if (_e98 == 1u) {
                     if (_e93[0] == _e93[1]) {
                         let _e105 = a_nodes.member[_e93[0]];
-                        phi_321_ = (_e105.member_3 == 4294967295u);
-                        phi_322_ = false;
+                        phi_325_ = (_e105.member_3 == 4294967295u);
+                        phi_326_ = false;
                     } else {
-                        phi_321_ = bool();
-                        phi_322_ = true;
+                        phi_325_ = bool();
+                        phi_326_ = true;
                     }
-                    let _e109 = phi_321_;
-                    let _e111 = phi_322_;
-                    phi_323_ = _e109;
-                    phi_324_ = _e111;
+                    let _e109 = phi_325_;
+                    let _e111 = phi_326_;
+                    phi_327_ = _e109;
+                    phi_328_ = _e111;
                 } else {
-                    phi_323_ = bool();
-                    phi_324_ = true;
+                    phi_327_ = bool();
+                    phi_328_ = true;
                 }
-                let _e113 = phi_323_;
-                let _e115 = phi_324_;
+                let _e113 = phi_327_;
+                let _e115 = phi_328_;
                 if select(_e113, false, _e115) {
-                    phi_395_ = array<u32, 2>(4294967295u, 4294967295u);
+                    phi_399_ = array<u32, 2>(4294967295u, 4294967295u);
                 } else {
                     let _e119 = a_nodes.member[_e93[0]];
                     let _e122 = b_nodes.member[_e93[1]];
                     let _e150 = select(false, true, ((((((_e119.member[0] <= _e122.member_2[0]) && (_e122.member[0] <= _e119.member_2[0])) && (_e119.member[1] <= _e122.member_2[1])) && (_e122.member[1] <= _e119.member_2[1])) && (_e119.member[2] <= _e122.member_2[2])) && (_e122.member[2] <= _e119.member_2[2])));
-                    phi_395_ = array<u32, 2>(select(4294967295u, _e93[0], _e150), select(4294967295u, _e93[1], _e150));
+                    phi_399_ = array<u32, 2>(select(4294967295u, _e93[0], _e150), select(4294967295u, _e93[1], _e150));
                 }
-                let _e157 = phi_395_;
-                phi_396_ = _e157;
+                let _e157 = phi_399_;
+                phi_400_ = _e157;
             } else {
-                phi_396_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_400_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e159 = phi_396_;
-            phi_397_ = _e159;
+            let _e159 = phi_400_;
+            phi_401_ = _e159;
         } else {
-            phi_397_ = array<u32, 2>(4294967295u, 4294967295u);
+            phi_401_ = array<u32, 2>(4294967295u, 4294967295u);
         }
-        let _e161 = phi_397_;
-        phi_398_ = _e161;
+        let _e161 = phi_401_;
+        phi_402_ = _e161;
     }
-    let _e184 = phi_398_;
-    local = type_19(array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u);
-    let _e187 = params.member.member_2.member;
-    let _e188 = (_e187 == 0u);
-    let _e194 = params.member.member.member[select(1u, 0u, _e188)];
-    let _e199 = params.member.member.member[select(1u, 2u, _e188)];
-    let _e210 = select(select(2u, 1u, select(true, select(true, false, (_e184[1] >= (_e199 - 1u))), (_e184[0] >= (_e194 - 1u)))), 0u, (_e184[0] == 4294967295u));
-    if (_e210 == 2u) {
-        let _e261 = params.member.member_1.member_3;
-        let _e264 = a_nodes.member[_e184[0]];
-        let _e268 = b_nodes.member[_e184[1]];
-        let _e272 = params.member.member_2.member;
-        if (_e272 == 1u) {
-            let _e275 = (_e264.member_1 < _e268.member_1);
-            phi_642_ = type_9(select(_e268.member_1, _e264.member_1, _e275), select(_e264.member_1, _e268.member_1, _e275));
+    let _e184 = phi_402_;
+    local = type_20(type_19(array<u32, 64>(u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32()), 0u), type_19(array<u32, 64>(u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32()), 0u));
+    let _e192 = params.member.member_2.member;
+    let _e193 = (_e192 == 0u);
+    let _e199 = params.member.member.member[select(1u, 0u, _e193)];
+    let _e204 = params.member.member.member[select(1u, 2u, _e193)];
+    let _e215 = select(select(2u, 1u, select(true, select(true, false, (_e184[1] >= (_e204 - 1u))), (_e184[0] >= (_e199 - 1u)))), 0u, (_e184[0] == 4294967295u));
+    if (_e215 == 2u) {
+        let _e275 = params.member.member_1.member_3;
+        let _e278 = a_nodes.member[_e184[0]];
+        let _e282 = b_nodes.member[_e184[1]];
+        let _e286 = params.member.member_2.member;
+        if (_e286 == 1u) {
+            let _e289 = (_e278.member_1 < _e282.member_1);
+            phi_655_ = type_9(select(_e282.member_1, _e278.member_1, _e289), select(_e278.member_1, _e282.member_1, _e289));
         } else {
-            phi_642_ = type_9(_e264.member_1, _e268.member_1);
+            phi_655_ = type_9(_e278.member_1, _e282.member_1);
         }
-        let _e280 = phi_642_;
-        let _e284 = atomicAdd((&pairs.member[0u]), 1u);
-        if ((_e284 + 1u) < _e284) {
-            let _e288 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e294 = phi_655_;
+        let _e298 = atomicAdd((&pairs.member[0u]), 1u);
+        if ((_e298 + 1u) < _e298) {
+            let _e302 = atomicAdd((&pairs.member[2u]), 1u);
         }
-        if (_e284 < _e261) {
-            let _e290 = (2u * _e284);
-            atomicStore((&pairs.member[(4u + _e290)]), _e280.member);
-            atomicStore((&pairs.member[(_e290 + 5u)]), _e280.member_1);
+        if (_e298 < _e275) {
+            let _e304 = (2u * _e298);
+            atomicStore((&pairs.member[(4u + _e304)]), _e294.member);
+            atomicStore((&pairs.member[(_e304 + 5u)]), _e294.member_1);
         }
     } else {
-        if (_e210 == 1u) {
-            let _e215 = params.member.member_2.member_10;
-            let _e217 = local.member_2;
-            let _e220 = (_e217 < select(_e215, 64u, (64u < _e215)));
-            if _e220 {
-                let _e223 = local.member_2;
-                local.member[_e223] = _e184[0];
-                let _e228 = local.member_2;
-                local.member_1[_e228] = _e184[1];
-                let _e233 = local.member_2;
-                local.member_2 = (_e233 + 1u);
+        if (_e215 == 1u) {
+            let _e220 = params.member.member_2.member_10;
+            let _e223 = local.member.member_1;
+            let _e226 = (_e223 < select(_e220, 64u, (64u < _e220)));
+            if _e226 {
+                let _e229 = function_(_e184[0]);
+                let _e231 = local.member.member_1;
+                local.member.member[_e231] = _e229;
+                let _e236 = local.member.member_1;
+                local.member.member_1 = (_e236 + 1u);
+                let _e240 = function_(_e184[1]);
+                let _e242 = local.member_1.member_1;
+                local.member_1.member[_e242] = _e240;
+                let _e247 = local.member_1.member_1;
+                local.member_1.member_1 = (_e247 + 1u);
             }
-            if _e220 {
+            if _e226 {
             } else {
-                let _e237 = params.member.member_1.member_1;
-                let _e240 = atomicAdd((&rounds.member[(_e237 + 1u)]), 1u);
-                let _e243 = atomicMax((&output.member[0u]), (_e240 + 1u));
-                if ((_e240 + 1u) < _e240) {
-                    let _e247 = atomicAdd((&output.member[2u]), 1u);
+                let _e251 = params.member.member_1.member_1;
+                let _e254 = atomicAdd((&rounds.member[(_e251 + 1u)]), 1u);
+                let _e257 = atomicMax((&output.member[0u]), (_e254 + 1u));
+                if ((_e254 + 1u) < _e254) {
+                    let _e261 = atomicAdd((&output.member[2u]), 1u);
                 }
-                let _e250 = params.member.member_2.member_3;
-                if (_e240 < _e250) {
-                    let _e254 = (2u * _e240);
-                    atomicStore((&output.member[(4u + _e254)]), _e184[0]);
-                    atomicStore((&output.member[(_e254 + 5u)]), _e184[1]);
+                let _e264 = params.member.member_2.member_3;
+                if (_e254 < _e264) {
+                    let _e268 = (2u * _e254);
+                    atomicStore((&output.member[(4u + _e268)]), _e184[0]);
+                    atomicStore((&output.member[(_e268 + 5u)]), _e184[1]);
                 }
             }
         }
     }
-    let _e297 = params.member.member_2.member_12;
-    phi_755_ = type_9(0u, _e297);
+    let _e311 = params.member.member_2.member_12;
+    phi_776_ = type_9(0u, _e311);
     loop {
-        let _e300 = phi_755_;
-        let _e303 = (_e300.member < _e300.member_1);
-        if (bitcast<i32>(select(0u, 1u, _e303)) != 0i) {
-            let _e316 = local.member_2;
-            if (_e316 > 0u) {
-                let _e320 = local.member_2;
-                local.member_2 = (_e320 - 1u);
-                let _e323 = local.member_2;
-                let _e326 = local.member[_e323];
-                let _e329 = local.member_1[_e323];
-                phi_814_ = array<u32, 2>(_e326, _e329);
+        let _e314 = phi_776_;
+        let _e317 = (_e314.member < _e314.member_1);
+        if (bitcast<i32>(select(0u, 1u, _e317)) != 0i) {
+            let _e331 = local.member.member_1;
+            if (_e331 > 0u) {
+                let _e336 = local.member.member_1;
+                local.member.member_1 = (_e336 - 1u);
+                let _e339 = local.member.member_1;
+                let _e342 = local.member.member[_e339];
+                let _e346 = local.member_1.member_1;
+                local.member_1.member_1 = (_e346 - 1u);
+                let _e349 = local.member_1.member_1;
+                let _e352 = local.member_1.member[_e349];
+                phi_843_ = array<u32, 2>(_e342, _e352);
             } else {
-                phi_814_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_843_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e332 = phi_814_;
-            if (_e332[0] == 4294967295u) {
-                phi_2309_ = false;
+            let _e355 = phi_843_;
+            if (_e355[0] == 4294967295u) {
+                phi_2370_ = false;
             } else {
-                let _e337 = params.member.member_2.member_1;
-                let _e342 = params.member.member_2.member;
-                let _e347 = a_nodes.member[_e332[0]];
-                let _e349 = b_nodes.member[_e332[1]];
-                if (_e342 == 1u) {
-                    if (_e332[0] == _e332[1]) {
-                        if (_e347.member_3 == 4294967295u) {
-                            phi_955_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                let _e360 = params.member.member_2.member_1;
+                let _e365 = params.member.member_2.member;
+                let _e370 = a_nodes.member[_e355[0]];
+                let _e372 = b_nodes.member[_e355[1]];
+                if (_e365 == 1u) {
+                    if (_e355[0] == _e355[1]) {
+                        if (_e370.member_3 == 4294967295u) {
+                            phi_984_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         } else {
-                            let _e355 = a_nodes.member[_e347.member_1];
-                            let _e358 = a_nodes.member[_e347.member_3];
-                            let _e361 = !((_e355.member_3 == 4294967295u));
-                            let _e372 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e347.member_1, _e361), select(4294967295u, _e347.member_1, _e361)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                            let _e384 = type_24(array<array<u32, 2>, 4>(_e372.member[0], array<u32, 2>(_e347.member_1, _e372.member[1][1]), _e372.member[2], _e372.member[3]), _e372.member_1);
-                            let _e392 = type_24(array<array<u32, 2>, 4>(_e384.member[0], array<u32, 2>(_e347.member_1, _e347.member_3), _e384.member[2], _e384.member[3]), _e384.member_1);
-                            let _e395 = !((_e358.member_3 == 4294967295u));
-                            let _e406 = type_24(array<array<u32, 2>, 4>(_e392.member[0], _e392.member[1], array<u32, 2>(select(4294967295u, _e347.member_3, _e395), select(4294967295u, _e347.member_3, _e395)), _e392.member[3]), _e392.member_1);
-                            let _e409 = type_24(_e406.member, _e406.member);
-                            let _e436 = ((((((_e355.member[0] <= _e358.member_2[0]) && (_e358.member[0] <= _e355.member_2[0])) && (_e355.member[1] <= _e358.member_2[1])) && (_e358.member[1] <= _e355.member_2[1])) && (_e355.member[2] <= _e358.member_2[2])) && (_e358.member[2] <= _e355.member_2[2]));
-                            phi_955_ = type_24(_e409.member, array<array<u32, 2>, 4>(_e409.member_1[0], array<u32, 2>(select(4294967295u, _e347.member_1, _e436), select(4294967295u, _e347.member_3, _e436)), _e409.member_1[2], _e409.member_1[3]));
+                            let _e378 = a_nodes.member[_e370.member_1];
+                            let _e381 = a_nodes.member[_e370.member_3];
+                            let _e384 = !((_e378.member_3 == 4294967295u));
+                            let _e395 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e370.member_1, _e384), select(4294967295u, _e370.member_1, _e384)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                            let _e407 = type_25(array<array<u32, 2>, 4>(_e395.member[0], array<u32, 2>(_e370.member_1, _e395.member[1][1]), _e395.member[2], _e395.member[3]), _e395.member_1);
+                            let _e415 = type_25(array<array<u32, 2>, 4>(_e407.member[0], array<u32, 2>(_e370.member_1, _e370.member_3), _e407.member[2], _e407.member[3]), _e407.member_1);
+                            let _e418 = !((_e381.member_3 == 4294967295u));
+                            let _e429 = type_25(array<array<u32, 2>, 4>(_e415.member[0], _e415.member[1], array<u32, 2>(select(4294967295u, _e370.member_3, _e418), select(4294967295u, _e370.member_3, _e418)), _e415.member[3]), _e415.member_1);
+                            let _e432 = type_25(_e429.member, _e429.member);
+                            let _e459 = ((((((_e378.member[0] <= _e381.member_2[0]) && (_e381.member[0] <= _e378.member_2[0])) && (_e378.member[1] <= _e381.member_2[1])) && (_e381.member[1] <= _e378.member_2[1])) && (_e378.member[2] <= _e381.member_2[2])) && (_e381.member[2] <= _e378.member_2[2]));
+                            phi_984_ = type_25(_e432.member, array<array<u32, 2>, 4>(_e432.member_1[0], array<u32, 2>(select(4294967295u, _e370.member_1, _e459), select(4294967295u, _e370.member_3, _e459)), _e432.member_1[2], _e432.member_1[3]));
                         }
-                        let _e448 = phi_955_;
-                        phi_956_ = _e448;
-                        phi_957_ = false;
+                        let _e471 = phi_984_;
+                        phi_985_ = _e471;
+                        phi_986_ = false;
                     } else {
-                        phi_956_ = type_24();
-                        phi_957_ = true;
+                        phi_985_ = type_25();
+                        phi_986_ = true;
                     }
-                    let _e450 = phi_956_;
-                    let _e452 = phi_957_;
-                    phi_958_ = _e450;
-                    phi_959_ = _e452;
+                    let _e473 = phi_985_;
+                    let _e475 = phi_986_;
+                    phi_987_ = _e473;
+                    phi_988_ = _e475;
                 } else {
-                    phi_958_ = type_24();
-                    phi_959_ = true;
+                    phi_987_ = type_25();
+                    phi_988_ = true;
                 }
-                let _e454 = phi_958_;
-                let _e456 = phi_959_;
-                if _e456 {
-                    let _e459 = !((_e347.member_3 == 4294967295u));
-                    let _e462 = !((_e349.member_3 == 4294967295u));
-                    if select(_e462, true, _e459) {
-                        if _e459 {
-                            if _e462 {
-                                if (select(0u, 1u, (_e337 == 0u)) == 0u) {
-                                    let _e491 = ((((_e349.member_2[0] - _e349.member[0]) * (_e349.member_2[1] - _e349.member[1])) * (_e349.member_2[2] - _e349.member[2])) > (((_e347.member_2[0] - _e347.member[0]) * (_e347.member_2[1] - _e347.member[1])) * (_e347.member_2[2] - _e347.member[2])));
-                                    phi_1019_ = _e491;
-                                    phi_1020_ = !(_e491);
+                let _e477 = phi_987_;
+                let _e479 = phi_988_;
+                if _e479 {
+                    let _e482 = !((_e370.member_3 == 4294967295u));
+                    let _e485 = !((_e372.member_3 == 4294967295u));
+                    if select(_e485, true, _e482) {
+                        if _e482 {
+                            if _e485 {
+                                if (select(0u, 1u, (_e360 == 0u)) == 0u) {
+                                    let _e514 = ((((_e372.member_2[0] - _e372.member[0]) * (_e372.member_2[1] - _e372.member[1])) * (_e372.member_2[2] - _e372.member[2])) > (((_e370.member_2[0] - _e370.member[0]) * (_e370.member_2[1] - _e370.member[1])) * (_e370.member_2[2] - _e370.member[2])));
+                                    phi_1048_ = _e514;
+                                    phi_1049_ = !(_e514);
                                 } else {
-                                    phi_1019_ = _e462;
-                                    phi_1020_ = _e459;
+                                    phi_1048_ = _e485;
+                                    phi_1049_ = _e482;
                                 }
-                                let _e494 = phi_1019_;
-                                let _e496 = phi_1020_;
-                                phi_1021_ = _e494;
-                                phi_1022_ = _e496;
+                                let _e517 = phi_1048_;
+                                let _e519 = phi_1049_;
+                                phi_1050_ = _e517;
+                                phi_1051_ = _e519;
                             } else {
-                                phi_1021_ = _e462;
-                                phi_1022_ = _e459;
+                                phi_1050_ = _e485;
+                                phi_1051_ = _e482;
                             }
-                            let _e498 = phi_1021_;
-                            let _e500 = phi_1022_;
-                            phi_1023_ = _e498;
-                            phi_1024_ = _e500;
+                            let _e521 = phi_1050_;
+                            let _e523 = phi_1051_;
+                            phi_1052_ = _e521;
+                            phi_1053_ = _e523;
                         } else {
-                            phi_1023_ = _e462;
-                            phi_1024_ = _e459;
+                            phi_1052_ = _e485;
+                            phi_1053_ = _e482;
                         }
-                        let _e502 = phi_1023_;
-                        let _e504 = phi_1024_;
-                        if _e504 {
-                            if _e502 {
-                                let _e507 = a_nodes.member[_e347.member_1];
-                                let _e512 = a_nodes.member[_e347.member_3];
-                                let _e517 = b_nodes.member[_e349.member_1];
-                                let _e522 = b_nodes.member[_e349.member_3];
-                                let _e560 = ((((((_e507.member[0] <= _e517.member_2[0]) && (_e517.member[0] <= _e507.member_2[0])) && (_e507.member[1] <= _e517.member_2[1])) && (_e517.member[1] <= _e507.member_2[1])) && (_e507.member[2] <= _e517.member_2[2])) && (_e517.member[2] <= _e507.member_2[2]));
-                                let _e586 = ((((((_e507.member[0] <= _e522.member_2[0]) && (_e522.member[0] <= _e507.member_2[0])) && (_e507.member[1] <= _e522.member_2[1])) && (_e522.member[1] <= _e507.member_2[1])) && (_e507.member[2] <= _e522.member_2[2])) && (_e522.member[2] <= _e507.member_2[2]));
-                                let _e612 = ((((((_e512.member[0] <= _e517.member_2[0]) && (_e517.member[0] <= _e512.member_2[0])) && (_e512.member[1] <= _e517.member_2[1])) && (_e517.member[1] <= _e512.member_2[1])) && (_e512.member[2] <= _e517.member_2[2])) && (_e517.member[2] <= _e512.member_2[2]));
-                                let _e638 = ((((((_e512.member[0] <= _e522.member_2[0]) && (_e522.member[0] <= _e512.member_2[0])) && (_e512.member[1] <= _e522.member_2[1])) && (_e522.member[1] <= _e512.member_2[1])) && (_e512.member[2] <= _e522.member_2[2])) && (_e522.member[2] <= _e512.member_2[2]));
-                                phi_1219_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e347.member_1, _e349.member_1), array<u32, 2>(_e347.member_1, _e349.member_3), array<u32, 2>(_e347.member_3, _e349.member_1), array<u32, 2>(_e347.member_3, _e349.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e347.member_1, _e560), select(4294967295u, _e349.member_1, _e560)), array<u32, 2>(select(4294967295u, _e347.member_1, _e586), select(4294967295u, _e349.member_3, _e586)), array<u32, 2>(select(4294967295u, _e347.member_3, _e612), select(4294967295u, _e349.member_1, _e612)), array<u32, 2>(select(4294967295u, _e347.member_3, _e638), select(4294967295u, _e349.member_3, _e638))));
-                                phi_1220_ = false;
+                        let _e525 = phi_1052_;
+                        let _e527 = phi_1053_;
+                        if _e527 {
+                            if _e525 {
+                                let _e530 = a_nodes.member[_e370.member_1];
+                                let _e535 = a_nodes.member[_e370.member_3];
+                                let _e540 = b_nodes.member[_e372.member_1];
+                                let _e545 = b_nodes.member[_e372.member_3];
+                                let _e583 = ((((((_e530.member[0] <= _e540.member_2[0]) && (_e540.member[0] <= _e530.member_2[0])) && (_e530.member[1] <= _e540.member_2[1])) && (_e540.member[1] <= _e530.member_2[1])) && (_e530.member[2] <= _e540.member_2[2])) && (_e540.member[2] <= _e530.member_2[2]));
+                                let _e609 = ((((((_e530.member[0] <= _e545.member_2[0]) && (_e545.member[0] <= _e530.member_2[0])) && (_e530.member[1] <= _e545.member_2[1])) && (_e545.member[1] <= _e530.member_2[1])) && (_e530.member[2] <= _e545.member_2[2])) && (_e545.member[2] <= _e530.member_2[2]));
+                                let _e635 = ((((((_e535.member[0] <= _e540.member_2[0]) && (_e540.member[0] <= _e535.member_2[0])) && (_e535.member[1] <= _e540.member_2[1])) && (_e540.member[1] <= _e535.member_2[1])) && (_e535.member[2] <= _e540.member_2[2])) && (_e540.member[2] <= _e535.member_2[2]));
+                                let _e661 = ((((((_e535.member[0] <= _e545.member_2[0]) && (_e545.member[0] <= _e535.member_2[0])) && (_e535.member[1] <= _e545.member_2[1])) && (_e545.member[1] <= _e535.member_2[1])) && (_e535.member[2] <= _e545.member_2[2])) && (_e545.member[2] <= _e535.member_2[2]));
+                                phi_1248_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e370.member_1, _e372.member_1), array<u32, 2>(_e370.member_1, _e372.member_3), array<u32, 2>(_e370.member_3, _e372.member_1), array<u32, 2>(_e370.member_3, _e372.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e370.member_1, _e583), select(4294967295u, _e372.member_1, _e583)), array<u32, 2>(select(4294967295u, _e370.member_1, _e609), select(4294967295u, _e372.member_3, _e609)), array<u32, 2>(select(4294967295u, _e370.member_3, _e635), select(4294967295u, _e372.member_1, _e635)), array<u32, 2>(select(4294967295u, _e370.member_3, _e661), select(4294967295u, _e372.member_3, _e661))));
+                                phi_1249_ = false;
                             } else {
-                                phi_1219_ = type_24();
-                                phi_1220_ = true;
+                                phi_1248_ = type_25();
+                                phi_1249_ = true;
                             }
-                            let _e645 = phi_1219_;
-                            let _e647 = phi_1220_;
-                            phi_1221_ = _e645;
-                            phi_1222_ = _e647;
+                            let _e668 = phi_1248_;
+                            let _e670 = phi_1249_;
+                            phi_1250_ = _e668;
+                            phi_1251_ = _e670;
                         } else {
-                            phi_1221_ = type_24();
-                            phi_1222_ = true;
+                            phi_1250_ = type_25();
+                            phi_1251_ = true;
                         }
-                        let _e649 = phi_1221_;
-                        let _e651 = phi_1222_;
-                        if _e651 {
-                            if _e504 {
-                                let _e736 = a_nodes.member[_e347.member_1];
-                                let _e741 = a_nodes.member[_e347.member_3];
-                                let _e770 = ((((((_e736.member[0] <= _e349.member_2[0]) && (_e349.member[0] <= _e736.member_2[0])) && (_e736.member[1] <= _e349.member_2[1])) && (_e349.member[1] <= _e736.member_2[1])) && (_e736.member[2] <= _e349.member_2[2])) && (_e349.member[2] <= _e736.member_2[2]));
-                                let _e780 = type_24(type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e347.member_1, _e770), select(4294967295u, _e332[1], _e770)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[3]));
-                                let _e805 = ((((((_e741.member[0] <= _e349.member_2[0]) && (_e349.member[0] <= _e741.member_2[0])) && (_e741.member[1] <= _e349.member_2[1])) && (_e349.member[1] <= _e741.member_2[1])) && (_e741.member[2] <= _e349.member_2[2])) && (_e349.member[2] <= _e741.member_2[2]));
-                                phi_1429_ = type_24(_e780.member, array<array<u32, 2>, 4>(_e780.member_1[0], array<u32, 2>(select(4294967295u, _e347.member_3, _e805), select(4294967295u, _e332[1], _e805)), _e780.member_1[2], _e780.member_1[3]));
+                        let _e672 = phi_1250_;
+                        let _e674 = phi_1251_;
+                        if _e674 {
+                            if _e527 {
+                                let _e759 = a_nodes.member[_e370.member_1];
+                                let _e764 = a_nodes.member[_e370.member_3];
+                                let _e793 = ((((((_e759.member[0] <= _e372.member_2[0]) && (_e372.member[0] <= _e759.member_2[0])) && (_e759.member[1] <= _e372.member_2[1])) && (_e372.member[1] <= _e759.member_2[1])) && (_e759.member[2] <= _e372.member_2[2])) && (_e372.member[2] <= _e759.member_2[2]));
+                                let _e803 = type_25(type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e370.member_1, _e793), select(4294967295u, _e355[1], _e793)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[3]));
+                                let _e828 = ((((((_e764.member[0] <= _e372.member_2[0]) && (_e372.member[0] <= _e764.member_2[0])) && (_e764.member[1] <= _e372.member_2[1])) && (_e372.member[1] <= _e764.member_2[1])) && (_e764.member[2] <= _e372.member_2[2])) && (_e372.member[2] <= _e764.member_2[2]));
+                                phi_1458_ = type_25(_e803.member, array<array<u32, 2>, 4>(_e803.member_1[0], array<u32, 2>(select(4294967295u, _e370.member_3, _e828), select(4294967295u, _e355[1], _e828)), _e803.member_1[2], _e803.member_1[3]));
                             } else {
-                                let _e654 = b_nodes.member[_e349.member_1];
-                                let _e659 = b_nodes.member[_e349.member_3];
-                                let _e688 = ((((((_e347.member[0] <= _e654.member_2[0]) && (_e654.member[0] <= _e347.member_2[0])) && (_e347.member[1] <= _e654.member_2[1])) && (_e654.member[1] <= _e347.member_2[1])) && (_e347.member[2] <= _e654.member_2[2])) && (_e654.member[2] <= _e347.member_2[2]));
-                                let _e698 = type_24(type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e332[0], _e688), select(4294967295u, _e349.member_1, _e688)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[3]));
-                                let _e723 = ((((((_e347.member[0] <= _e659.member_2[0]) && (_e659.member[0] <= _e347.member_2[0])) && (_e347.member[1] <= _e659.member_2[1])) && (_e659.member[1] <= _e347.member_2[1])) && (_e347.member[2] <= _e659.member_2[2])) && (_e659.member[2] <= _e347.member_2[2]));
-                                phi_1429_ = type_24(_e698.member, array<array<u32, 2>, 4>(_e698.member_1[0], array<u32, 2>(select(4294967295u, _e332[0], _e723), select(4294967295u, _e349.member_3, _e723)), _e698.member_1[2], _e698.member_1[3]));
+                                let _e677 = b_nodes.member[_e372.member_1];
+                                let _e682 = b_nodes.member[_e372.member_3];
+                                let _e711 = ((((((_e370.member[0] <= _e677.member_2[0]) && (_e677.member[0] <= _e370.member_2[0])) && (_e370.member[1] <= _e677.member_2[1])) && (_e677.member[1] <= _e370.member_2[1])) && (_e370.member[2] <= _e677.member_2[2])) && (_e677.member[2] <= _e370.member_2[2]));
+                                let _e721 = type_25(type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e355[0], _e711), select(4294967295u, _e372.member_1, _e711)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1[3]));
+                                let _e746 = ((((((_e370.member[0] <= _e682.member_2[0]) && (_e682.member[0] <= _e370.member_2[0])) && (_e370.member[1] <= _e682.member_2[1])) && (_e682.member[1] <= _e370.member_2[1])) && (_e370.member[2] <= _e682.member_2[2])) && (_e682.member[2] <= _e370.member_2[2]));
+                                phi_1458_ = type_25(_e721.member, array<array<u32, 2>, 4>(_e721.member_1[0], array<u32, 2>(select(4294967295u, _e355[0], _e746), select(4294967295u, _e372.member_3, _e746)), _e721.member_1[2], _e721.member_1[3]));
                             }
-                            let _e817 = phi_1429_;
-                            phi_1430_ = _e817;
+                            let _e840 = phi_1458_;
+                            phi_1459_ = _e840;
                         } else {
-                            phi_1430_ = _e649;
+                            phi_1459_ = _e672;
                         }
-                        let _e819 = phi_1430_;
-                        phi_1431_ = _e819;
-                        phi_1432_ = false;
+                        let _e842 = phi_1459_;
+                        phi_1460_ = _e842;
+                        phi_1461_ = false;
                     } else {
-                        phi_1431_ = type_24();
-                        phi_1432_ = true;
+                        phi_1460_ = type_25();
+                        phi_1461_ = true;
                     }
-                    let _e821 = phi_1431_;
-                    let _e823 = phi_1432_;
-                    phi_1433_ = _e821;
-                    phi_1434_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
-                    phi_1435_ = _e823;
+                    let _e844 = phi_1460_;
+                    let _e846 = phi_1461_;
+                    phi_1462_ = _e844;
+                    phi_1463_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                    phi_1464_ = _e846;
                 } else {
-                    phi_1433_ = type_24();
-                    phi_1434_ = _e454;
-                    phi_1435_ = true;
+                    phi_1462_ = type_25();
+                    phi_1463_ = _e477;
+                    phi_1464_ = true;
                 }
-                let _e825 = phi_1433_;
-                let _e827 = phi_1434_;
-                let _e829 = phi_1435_;
-                if _e829 {
-                    phi_1439_ = _e827;
+                let _e848 = phi_1462_;
+                let _e850 = phi_1463_;
+                let _e852 = phi_1464_;
+                if _e852 {
+                    phi_1468_ = _e850;
                 } else {
-                    phi_1439_ = _e825;
+                    phi_1468_ = _e848;
                 }
-                let _e831 = phi_1439_;
-                let _e836 = params.member.member_2.member;
-                let _e837 = (_e836 == 0u);
-                let _e843 = params.member.member.member[select(1u, 0u, _e837)];
-                let _e848 = params.member.member.member[select(1u, 2u, _e837)];
-                let _e859 = select(select(2u, 1u, select(true, select(true, false, (_e831.member_1[0][1] >= (_e848 - 1u))), (_e831.member_1[0][0] >= (_e843 - 1u)))), 0u, (_e831.member_1[0][0] == 4294967295u));
-                if (_e859 == 2u) {
-                    let _e910 = params.member.member_1.member_3;
-                    let _e913 = a_nodes.member[_e831.member_1[0][0]];
-                    let _e917 = b_nodes.member[_e831.member_1[0][1]];
-                    let _e921 = params.member.member_2.member;
-                    if (_e921 == 1u) {
-                        let _e924 = (_e913.member_1 < _e917.member_1);
-                        phi_1550_ = type_9(select(_e917.member_1, _e913.member_1, _e924), select(_e913.member_1, _e917.member_1, _e924));
+                let _e854 = phi_1468_;
+                let _e859 = params.member.member_2.member;
+                let _e860 = (_e859 == 0u);
+                let _e866 = params.member.member.member[select(1u, 0u, _e860)];
+                let _e871 = params.member.member.member[select(1u, 2u, _e860)];
+                let _e882 = select(select(2u, 1u, select(true, select(true, false, (_e854.member_1[0][1] >= (_e871 - 1u))), (_e854.member_1[0][0] >= (_e866 - 1u)))), 0u, (_e854.member_1[0][0] == 4294967295u));
+                if (_e882 == 2u) {
+                    let _e942 = params.member.member_1.member_3;
+                    let _e945 = a_nodes.member[_e854.member_1[0][0]];
+                    let _e949 = b_nodes.member[_e854.member_1[0][1]];
+                    let _e953 = params.member.member_2.member;
+                    if (_e953 == 1u) {
+                        let _e956 = (_e945.member_1 < _e949.member_1);
+                        phi_1579_ = type_9(select(_e949.member_1, _e945.member_1, _e956), select(_e945.member_1, _e949.member_1, _e956));
                     } else {
-                        phi_1550_ = type_9(_e913.member_1, _e917.member_1);
+                        phi_1579_ = type_9(_e945.member_1, _e949.member_1);
                     }
-                    let _e929 = phi_1550_;
-                    let _e933 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e933 + 1u) < _e933) {
-                        let _e937 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e961 = phi_1579_;
+                    let _e965 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e965 + 1u) < _e965) {
+                        let _e969 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e933 < _e910) {
-                        let _e939 = (2u * _e933);
-                        atomicStore((&pairs.member[(4u + _e939)]), _e929.member);
-                        atomicStore((&pairs.member[(_e939 + 5u)]), _e929.member_1);
+                    if (_e965 < _e942) {
+                        let _e971 = (2u * _e965);
+                        atomicStore((&pairs.member[(4u + _e971)]), _e961.member);
+                        atomicStore((&pairs.member[(_e971 + 5u)]), _e961.member_1);
                     }
                 } else {
-                    if (_e859 == 1u) {
-                        let _e864 = params.member.member_2.member_10;
-                        let _e866 = local.member_2;
-                        let _e869 = (_e866 < select(_e864, 64u, (64u < _e864)));
-                        if _e869 {
-                            let _e872 = local.member_2;
-                            local.member[_e872] = _e831.member_1[0][0];
-                            let _e877 = local.member_2;
-                            local.member_1[_e877] = _e831.member_1[0][1];
-                            let _e882 = local.member_2;
-                            local.member_2 = (_e882 + 1u);
+                    if (_e882 == 1u) {
+                        let _e887 = params.member.member_2.member_10;
+                        let _e890 = local.member.member_1;
+                        let _e893 = (_e890 < select(_e887, 64u, (64u < _e887)));
+                        if _e893 {
+                            let _e896 = function_(_e854.member_1[0][0]);
+                            let _e898 = local.member.member_1;
+                            local.member.member[_e898] = _e896;
+                            let _e903 = local.member.member_1;
+                            local.member.member_1 = (_e903 + 1u);
+                            let _e907 = function_(_e854.member_1[0][1]);
+                            let _e909 = local.member_1.member_1;
+                            local.member_1.member[_e909] = _e907;
+                            let _e914 = local.member_1.member_1;
+                            local.member_1.member_1 = (_e914 + 1u);
                         }
-                        if _e869 {
+                        if _e893 {
                         } else {
-                            let _e886 = params.member.member_1.member_1;
-                            let _e889 = atomicAdd((&rounds.member[(_e886 + 1u)]), 1u);
-                            let _e892 = atomicMax((&output.member[0u]), (_e889 + 1u));
-                            if ((_e889 + 1u) < _e889) {
-                                let _e896 = atomicAdd((&output.member[2u]), 1u);
+                            let _e918 = params.member.member_1.member_1;
+                            let _e921 = atomicAdd((&rounds.member[(_e918 + 1u)]), 1u);
+                            let _e924 = atomicMax((&output.member[0u]), (_e921 + 1u));
+                            if ((_e921 + 1u) < _e921) {
+                                let _e928 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            let _e899 = params.member.member_2.member_3;
-                            if (_e889 < _e899) {
-                                let _e903 = (2u * _e889);
-                                atomicStore((&output.member[(4u + _e903)]), _e831.member_1[0][0]);
-                                atomicStore((&output.member[(_e903 + 5u)]), _e831.member_1[0][1]);
+                            let _e931 = params.member.member_2.member_3;
+                            if (_e921 < _e931) {
+                                let _e935 = (2u * _e921);
+                                atomicStore((&output.member[(4u + _e935)]), _e854.member_1[0][0]);
+                                atomicStore((&output.member[(_e935 + 5u)]), _e854.member_1[0][1]);
                             }
                         }
                     }
                 }
-                let _e947 = params.member.member_2.member;
-                let _e948 = (_e947 == 0u);
-                let _e954 = params.member.member.member[select(1u, 0u, _e948)];
-                let _e959 = params.member.member.member[select(1u, 2u, _e948)];
-                let _e970 = select(select(2u, 1u, select(true, select(true, false, (_e831.member_1[1][1] >= (_e959 - 1u))), (_e831.member_1[1][0] >= (_e954 - 1u)))), 0u, (_e831.member_1[1][0] == 4294967295u));
-                if (_e970 == 2u) {
-                    let _e1021 = params.member.member_1.member_3;
-                    let _e1024 = a_nodes.member[_e831.member_1[1][0]];
-                    let _e1028 = b_nodes.member[_e831.member_1[1][1]];
-                    let _e1032 = params.member.member_2.member;
-                    if (_e1032 == 1u) {
-                        let _e1035 = (_e1024.member_1 < _e1028.member_1);
-                        phi_1767_ = type_9(select(_e1028.member_1, _e1024.member_1, _e1035), select(_e1024.member_1, _e1028.member_1, _e1035));
+                let _e979 = params.member.member_2.member;
+                let _e980 = (_e979 == 0u);
+                let _e986 = params.member.member.member[select(1u, 0u, _e980)];
+                let _e991 = params.member.member.member[select(1u, 2u, _e980)];
+                let _e1002 = select(select(2u, 1u, select(true, select(true, false, (_e854.member_1[1][1] >= (_e991 - 1u))), (_e854.member_1[1][0] >= (_e986 - 1u)))), 0u, (_e854.member_1[1][0] == 4294967295u));
+                if (_e1002 == 2u) {
+                    let _e1062 = params.member.member_1.member_3;
+                    let _e1065 = a_nodes.member[_e854.member_1[1][0]];
+                    let _e1069 = b_nodes.member[_e854.member_1[1][1]];
+                    let _e1073 = params.member.member_2.member;
+                    if (_e1073 == 1u) {
+                        let _e1076 = (_e1065.member_1 < _e1069.member_1);
+                        phi_1804_ = type_9(select(_e1069.member_1, _e1065.member_1, _e1076), select(_e1065.member_1, _e1069.member_1, _e1076));
                     } else {
-                        phi_1767_ = type_9(_e1024.member_1, _e1028.member_1);
+                        phi_1804_ = type_9(_e1065.member_1, _e1069.member_1);
                     }
-                    let _e1040 = phi_1767_;
-                    let _e1044 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e1044 + 1u) < _e1044) {
-                        let _e1048 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e1081 = phi_1804_;
+                    let _e1085 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e1085 + 1u) < _e1085) {
+                        let _e1089 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e1044 < _e1021) {
-                        let _e1050 = (2u * _e1044);
-                        atomicStore((&pairs.member[(4u + _e1050)]), _e1040.member);
-                        atomicStore((&pairs.member[(_e1050 + 5u)]), _e1040.member_1);
+                    if (_e1085 < _e1062) {
+                        let _e1091 = (2u * _e1085);
+                        atomicStore((&pairs.member[(4u + _e1091)]), _e1081.member);
+                        atomicStore((&pairs.member[(_e1091 + 5u)]), _e1081.member_1);
                     }
                 } else {
-                    if (_e970 == 1u) {
-                        let _e975 = params.member.member_2.member_10;
-                        let _e977 = local.member_2;
-                        let _e980 = (_e977 < select(_e975, 64u, (64u < _e975)));
-                        if _e980 {
-                            let _e983 = local.member_2;
-                            local.member[_e983] = _e831.member_1[1][0];
-                            let _e988 = local.member_2;
-                            local.member_1[_e988] = _e831.member_1[1][1];
-                            let _e993 = local.member_2;
-                            local.member_2 = (_e993 + 1u);
+                    if (_e1002 == 1u) {
+                        let _e1007 = params.member.member_2.member_10;
+                        let _e1010 = local.member.member_1;
+                        let _e1013 = (_e1010 < select(_e1007, 64u, (64u < _e1007)));
+                        if _e1013 {
+                            let _e1016 = function_(_e854.member_1[1][0]);
+                            let _e1018 = local.member.member_1;
+                            local.member.member[_e1018] = _e1016;
+                            let _e1023 = local.member.member_1;
+                            local.member.member_1 = (_e1023 + 1u);
+                            let _e1027 = function_(_e854.member_1[1][1]);
+                            let _e1029 = local.member_1.member_1;
+                            local.member_1.member[_e1029] = _e1027;
+                            let _e1034 = local.member_1.member_1;
+                            local.member_1.member_1 = (_e1034 + 1u);
                         }
-                        if _e980 {
+                        if _e1013 {
                         } else {
-                            let _e997 = params.member.member_1.member_1;
-                            let _e1000 = atomicAdd((&rounds.member[(_e997 + 1u)]), 1u);
-                            let _e1003 = atomicMax((&output.member[0u]), (_e1000 + 1u));
-                            if ((_e1000 + 1u) < _e1000) {
-                                let _e1007 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1038 = params.member.member_1.member_1;
+                            let _e1041 = atomicAdd((&rounds.member[(_e1038 + 1u)]), 1u);
+                            let _e1044 = atomicMax((&output.member[0u]), (_e1041 + 1u));
+                            if ((_e1041 + 1u) < _e1041) {
+                                let _e1048 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            let _e1010 = params.member.member_2.member_3;
-                            if (_e1000 < _e1010) {
-                                let _e1014 = (2u * _e1000);
-                                atomicStore((&output.member[(4u + _e1014)]), _e831.member_1[1][0]);
-                                atomicStore((&output.member[(_e1014 + 5u)]), _e831.member_1[1][1]);
+                            let _e1051 = params.member.member_2.member_3;
+                            if (_e1041 < _e1051) {
+                                let _e1055 = (2u * _e1041);
+                                atomicStore((&output.member[(4u + _e1055)]), _e854.member_1[1][0]);
+                                atomicStore((&output.member[(_e1055 + 5u)]), _e854.member_1[1][1]);
                             }
                         }
                     }
                 }
-                let _e1058 = params.member.member_2.member;
-                let _e1059 = (_e1058 == 0u);
-                let _e1065 = params.member.member.member[select(1u, 0u, _e1059)];
-                let _e1070 = params.member.member.member[select(1u, 2u, _e1059)];
-                let _e1081 = select(select(2u, 1u, select(true, select(true, false, (_e831.member_1[2][1] >= (_e1070 - 1u))), (_e831.member_1[2][0] >= (_e1065 - 1u)))), 0u, (_e831.member_1[2][0] == 4294967295u));
-                if (_e1081 == 2u) {
-                    let _e1132 = params.member.member_1.member_3;
-                    let _e1135 = a_nodes.member[_e831.member_1[2][0]];
-                    let _e1139 = b_nodes.member[_e831.member_1[2][1]];
-                    let _e1143 = params.member.member_2.member;
-                    if (_e1143 == 1u) {
-                        let _e1146 = (_e1135.member_1 < _e1139.member_1);
-                        phi_1984_ = type_9(select(_e1139.member_1, _e1135.member_1, _e1146), select(_e1135.member_1, _e1139.member_1, _e1146));
+                let _e1099 = params.member.member_2.member;
+                let _e1100 = (_e1099 == 0u);
+                let _e1106 = params.member.member.member[select(1u, 0u, _e1100)];
+                let _e1111 = params.member.member.member[select(1u, 2u, _e1100)];
+                let _e1122 = select(select(2u, 1u, select(true, select(true, false, (_e854.member_1[2][1] >= (_e1111 - 1u))), (_e854.member_1[2][0] >= (_e1106 - 1u)))), 0u, (_e854.member_1[2][0] == 4294967295u));
+                if (_e1122 == 2u) {
+                    let _e1182 = params.member.member_1.member_3;
+                    let _e1185 = a_nodes.member[_e854.member_1[2][0]];
+                    let _e1189 = b_nodes.member[_e854.member_1[2][1]];
+                    let _e1193 = params.member.member_2.member;
+                    if (_e1193 == 1u) {
+                        let _e1196 = (_e1185.member_1 < _e1189.member_1);
+                        phi_2029_ = type_9(select(_e1189.member_1, _e1185.member_1, _e1196), select(_e1185.member_1, _e1189.member_1, _e1196));
                     } else {
-                        phi_1984_ = type_9(_e1135.member_1, _e1139.member_1);
+                        phi_2029_ = type_9(_e1185.member_1, _e1189.member_1);
                     }
-                    let _e1151 = phi_1984_;
-                    let _e1155 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e1155 + 1u) < _e1155) {
-                        let _e1159 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e1201 = phi_2029_;
+                    let _e1205 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e1205 + 1u) < _e1205) {
+                        let _e1209 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e1155 < _e1132) {
-                        let _e1161 = (2u * _e1155);
-                        atomicStore((&pairs.member[(4u + _e1161)]), _e1151.member);
-                        atomicStore((&pairs.member[(_e1161 + 5u)]), _e1151.member_1);
+                    if (_e1205 < _e1182) {
+                        let _e1211 = (2u * _e1205);
+                        atomicStore((&pairs.member[(4u + _e1211)]), _e1201.member);
+                        atomicStore((&pairs.member[(_e1211 + 5u)]), _e1201.member_1);
                     }
                 } else {
-                    if (_e1081 == 1u) {
-                        let _e1086 = params.member.member_2.member_10;
-                        let _e1088 = local.member_2;
-                        let _e1091 = (_e1088 < select(_e1086, 64u, (64u < _e1086)));
-                        if _e1091 {
-                            let _e1094 = local.member_2;
-                            local.member[_e1094] = _e831.member_1[2][0];
-                            let _e1099 = local.member_2;
-                            local.member_1[_e1099] = _e831.member_1[2][1];
-                            let _e1104 = local.member_2;
-                            local.member_2 = (_e1104 + 1u);
+                    if (_e1122 == 1u) {
+                        let _e1127 = params.member.member_2.member_10;
+                        let _e1130 = local.member.member_1;
+                        let _e1133 = (_e1130 < select(_e1127, 64u, (64u < _e1127)));
+                        if _e1133 {
+                            let _e1136 = function_(_e854.member_1[2][0]);
+                            let _e1138 = local.member.member_1;
+                            local.member.member[_e1138] = _e1136;
+                            let _e1143 = local.member.member_1;
+                            local.member.member_1 = (_e1143 + 1u);
+                            let _e1147 = function_(_e854.member_1[2][1]);
+                            let _e1149 = local.member_1.member_1;
+                            local.member_1.member[_e1149] = _e1147;
+                            let _e1154 = local.member_1.member_1;
+                            local.member_1.member_1 = (_e1154 + 1u);
                         }
-                        if _e1091 {
+                        if _e1133 {
                         } else {
-                            let _e1108 = params.member.member_1.member_1;
-                            let _e1111 = atomicAdd((&rounds.member[(_e1108 + 1u)]), 1u);
-                            let _e1114 = atomicMax((&output.member[0u]), (_e1111 + 1u));
-                            if ((_e1111 + 1u) < _e1111) {
-                                let _e1118 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1158 = params.member.member_1.member_1;
+                            let _e1161 = atomicAdd((&rounds.member[(_e1158 + 1u)]), 1u);
+                            let _e1164 = atomicMax((&output.member[0u]), (_e1161 + 1u));
+                            if ((_e1161 + 1u) < _e1161) {
+                                let _e1168 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            let _e1121 = params.member.member_2.member_3;
-                            if (_e1111 < _e1121) {
-                                let _e1125 = (2u * _e1111);
-                                atomicStore((&output.member[(4u + _e1125)]), _e831.member_1[2][0]);
-                                atomicStore((&output.member[(_e1125 + 5u)]), _e831.member_1[2][1]);
+                            let _e1171 = params.member.member_2.member_3;
+                            if (_e1161 < _e1171) {
+                                let _e1175 = (2u * _e1161);
+                                atomicStore((&output.member[(4u + _e1175)]), _e854.member_1[2][0]);
+                                atomicStore((&output.member[(_e1175 + 5u)]), _e854.member_1[2][1]);
                             }
                         }
                     }
                 }
-                let _e1169 = params.member.member_2.member;
-                let _e1170 = (_e1169 == 0u);
-                let _e1176 = params.member.member.member[select(1u, 0u, _e1170)];
-                let _e1181 = params.member.member.member[select(1u, 2u, _e1170)];
-                let _e1192 = select(select(2u, 1u, select(true, select(true, false, (_e831.member_1[3][1] >= (_e1181 - 1u))), (_e831.member_1[3][0] >= (_e1176 - 1u)))), 0u, (_e831.member_1[3][0] == 4294967295u));
-                if (_e1192 == 2u) {
-                    let _e1243 = params.member.member_1.member_3;
-                    let _e1246 = a_nodes.member[_e831.member_1[3][0]];
-                    let _e1250 = b_nodes.member[_e831.member_1[3][1]];
-                    let _e1254 = params.member.member_2.member;
-                    if (_e1254 == 1u) {
-                        let _e1257 = (_e1246.member_1 < _e1250.member_1);
-                        phi_2201_ = type_9(select(_e1250.member_1, _e1246.member_1, _e1257), select(_e1246.member_1, _e1250.member_1, _e1257));
+                let _e1219 = params.member.member_2.member;
+                let _e1220 = (_e1219 == 0u);
+                let _e1226 = params.member.member.member[select(1u, 0u, _e1220)];
+                let _e1231 = params.member.member.member[select(1u, 2u, _e1220)];
+                let _e1242 = select(select(2u, 1u, select(true, select(true, false, (_e854.member_1[3][1] >= (_e1231 - 1u))), (_e854.member_1[3][0] >= (_e1226 - 1u)))), 0u, (_e854.member_1[3][0] == 4294967295u));
+                if (_e1242 == 2u) {
+                    let _e1302 = params.member.member_1.member_3;
+                    let _e1305 = a_nodes.member[_e854.member_1[3][0]];
+                    let _e1309 = b_nodes.member[_e854.member_1[3][1]];
+                    let _e1313 = params.member.member_2.member;
+                    if (_e1313 == 1u) {
+                        let _e1316 = (_e1305.member_1 < _e1309.member_1);
+                        phi_2254_ = type_9(select(_e1309.member_1, _e1305.member_1, _e1316), select(_e1305.member_1, _e1309.member_1, _e1316));
                     } else {
-                        phi_2201_ = type_9(_e1246.member_1, _e1250.member_1);
+                        phi_2254_ = type_9(_e1305.member_1, _e1309.member_1);
                     }
-                    let _e1262 = phi_2201_;
-                    let _e1266 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e1266 + 1u) < _e1266) {
-                        let _e1270 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e1321 = phi_2254_;
+                    let _e1325 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e1325 + 1u) < _e1325) {
+                        let _e1329 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e1266 < _e1243) {
-                        let _e1272 = (2u * _e1266);
-                        atomicStore((&pairs.member[(4u + _e1272)]), _e1262.member);
-                        atomicStore((&pairs.member[(_e1272 + 5u)]), _e1262.member_1);
+                    if (_e1325 < _e1302) {
+                        let _e1331 = (2u * _e1325);
+                        atomicStore((&pairs.member[(4u + _e1331)]), _e1321.member);
+                        atomicStore((&pairs.member[(_e1331 + 5u)]), _e1321.member_1);
                     }
                 } else {
-                    if (_e1192 == 1u) {
-                        let _e1197 = params.member.member_2.member_10;
-                        let _e1199 = local.member_2;
-                        let _e1202 = (_e1199 < select(_e1197, 64u, (64u < _e1197)));
-                        if _e1202 {
-                            let _e1205 = local.member_2;
-                            local.member[_e1205] = _e831.member_1[3][0];
-                            let _e1210 = local.member_2;
-                            local.member_1[_e1210] = _e831.member_1[3][1];
-                            let _e1215 = local.member_2;
-                            local.member_2 = (_e1215 + 1u);
+                    if (_e1242 == 1u) {
+                        let _e1247 = params.member.member_2.member_10;
+                        let _e1250 = local.member.member_1;
+                        let _e1253 = (_e1250 < select(_e1247, 64u, (64u < _e1247)));
+                        if _e1253 {
+                            let _e1256 = function_(_e854.member_1[3][0]);
+                            let _e1258 = local.member.member_1;
+                            local.member.member[_e1258] = _e1256;
+                            let _e1263 = local.member.member_1;
+                            local.member.member_1 = (_e1263 + 1u);
+                            let _e1267 = function_(_e854.member_1[3][1]);
+                            let _e1269 = local.member_1.member_1;
+                            local.member_1.member[_e1269] = _e1267;
+                            let _e1274 = local.member_1.member_1;
+                            local.member_1.member_1 = (_e1274 + 1u);
                         }
-                        if _e1202 {
+                        if _e1253 {
                         } else {
-                            let _e1219 = params.member.member_1.member_1;
-                            let _e1222 = atomicAdd((&rounds.member[(_e1219 + 1u)]), 1u);
-                            let _e1225 = atomicMax((&output.member[0u]), (_e1222 + 1u));
-                            if ((_e1222 + 1u) < _e1222) {
-                                let _e1229 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1278 = params.member.member_1.member_1;
+                            let _e1281 = atomicAdd((&rounds.member[(_e1278 + 1u)]), 1u);
+                            let _e1284 = atomicMax((&output.member[0u]), (_e1281 + 1u));
+                            if ((_e1281 + 1u) < _e1281) {
+                                let _e1288 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            let _e1232 = params.member.member_2.member_3;
-                            if (_e1222 < _e1232) {
-                                let _e1236 = (2u * _e1222);
-                                atomicStore((&output.member[(4u + _e1236)]), _e831.member_1[3][0]);
-                                atomicStore((&output.member[(_e1236 + 5u)]), _e831.member_1[3][1]);
+                            let _e1291 = params.member.member_2.member_3;
+                            if (_e1281 < _e1291) {
+                                let _e1295 = (2u * _e1281);
+                                atomicStore((&output.member[(4u + _e1295)]), _e854.member_1[3][0]);
+                                atomicStore((&output.member[(_e1295 + 5u)]), _e854.member_1[3][1]);
                             }
                         }
                     }
                 }
-                phi_2309_ = true;
+                phi_2370_ = true;
             }
-            let _e1278 = phi_2309_;
-            phi_2310_ = _e1278;
+            let _e1337 = phi_2370_;
+            phi_2371_ = _e1337;
         } else {
-            phi_2310_ = false;
+            phi_2371_ = false;
         }
-        let _e1280 = phi_2310_;
+        let _e1339 = phi_2371_;
         continue;
         continuing {
-            phi_755_ = type_9(select(_e300.member, (_e300.member + 1u), _e303), select(_e300.member_1, _e300.member_1, _e303));
-            break if !(_e1280);
+            phi_776_ = type_9(select(_e314.member, (_e314.member + 1u), _e317), select(_e314.member_1, _e314.member_1, _e317));
+            break if !(_e1339);
         }
     }
-    phi_2313_ = type_9(0u, 64u);
+    phi_2374_ = type_9(0u, 64u);
     loop {
-        let _e1283 = phi_2313_;
-        let _e1286 = (_e1283.member < _e1283.member_1);
-        if (bitcast<i32>(select(0u, 1u, _e1286)) != 0i) {
-            let _e1299 = local.member_2;
-            if (_e1299 > 0u) {
-                let _e1303 = local.member_2;
-                local.member_2 = (_e1303 - 1u);
-                let _e1306 = local.member_2;
-                let _e1309 = local.member[_e1306];
-                let _e1312 = local.member_1[_e1306];
-                phi_2372_ = array<u32, 2>(_e1309, _e1312);
+        let _e1342 = phi_2374_;
+        let _e1345 = (_e1342.member < _e1342.member_1);
+        if (bitcast<i32>(select(0u, 1u, _e1345)) != 0i) {
+            let _e1359 = local.member.member_1;
+            if (_e1359 > 0u) {
+                let _e1364 = local.member.member_1;
+                local.member.member_1 = (_e1364 - 1u);
+                let _e1367 = local.member.member_1;
+                let _e1370 = local.member.member[_e1367];
+                let _e1374 = local.member_1.member_1;
+                local.member_1.member_1 = (_e1374 - 1u);
+                let _e1377 = local.member_1.member_1;
+                let _e1380 = local.member_1.member[_e1377];
+                phi_2441_ = array<u32, 2>(_e1370, _e1380);
             } else {
-                phi_2372_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_2441_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e1315 = phi_2372_;
-            if (_e1315[0] == 4294967295u) {
-                phi_2415_ = false;
+            let _e1383 = phi_2441_;
+            if (_e1383[0] == 4294967295u) {
+                phi_2484_ = false;
             } else {
-                let _e1320 = params.member.member_1.member_1;
-                let _e1323 = atomicAdd((&rounds.member[(_e1320 + 1u)]), 1u);
-                let _e1326 = atomicMax((&output.member[0u]), (_e1323 + 1u));
-                if ((_e1323 + 1u) < _e1323) {
-                    let _e1330 = atomicAdd((&output.member[2u]), 1u);
+                let _e1388 = params.member.member_1.member_1;
+                let _e1391 = atomicAdd((&rounds.member[(_e1388 + 1u)]), 1u);
+                let _e1394 = atomicMax((&output.member[0u]), (_e1391 + 1u));
+                if ((_e1391 + 1u) < _e1391) {
+                    let _e1398 = atomicAdd((&output.member[2u]), 1u);
                 }
-                let _e1333 = params.member.member_2.member_3;
-                if (_e1323 < _e1333) {
-                    let _e1337 = (2u * _e1323);
-                    atomicStore((&output.member[(4u + _e1337)]), _e1315[0]);
-                    atomicStore((&output.member[(_e1337 + 5u)]), _e1315[1]);
+                let _e1401 = params.member.member_2.member_3;
+                if (_e1391 < _e1401) {
+                    let _e1405 = (2u * _e1391);
+                    atomicStore((&output.member[(4u + _e1405)]), _e1383[0]);
+                    atomicStore((&output.member[(_e1405 + 5u)]), _e1383[1]);
                 }
-                phi_2415_ = true;
+                phi_2484_ = true;
             }
-            let _e1343 = phi_2415_;
-            phi_2416_ = _e1343;
+            let _e1411 = phi_2484_;
+            phi_2485_ = _e1411;
         } else {
-            phi_2416_ = false;
+            phi_2485_ = false;
         }
-        let _e1345 = phi_2416_;
+        let _e1413 = phi_2485_;
         continue;
         continuing {
-            phi_2313_ = type_9(select(_e1283.member, (_e1283.member + 1u), _e1286), select(_e1283.member_1, _e1283.member_1, _e1286));
-            break if !(_e1345);
+            phi_2374_ = type_9(select(_e1342.member, (_e1342.member + 1u), _e1345), select(_e1342.member_1, _e1342.member_1, _e1345));
+            break if !(_e1413);
         }
     }
     return;
@@ -776,5 +810,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn descend_stacks(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_1(id, n, lane);
 }

@@ -67,20 +67,20 @@ struct type_24 {
     member: array<type_22>,
 }
 
-struct type_25 {
+struct type_26 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_27 {
     member: vec4<u32>,
     member_1: vec4<u32>,
     member_2: vec4<u32>,
     member_3: vec4<u32>,
 }
 
-struct type_27 {
-    member: array<type_25>,
-}
-
 struct type_29 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: array<type_27>,
 }
 
 @group(0) @binding(0) 
@@ -92,52 +92,56 @@ var<storage> block_nodes: type_24;
 @group(0) @binding(3) 
 var<storage> far: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> nodes: type_27;
+var<storage, read_write> nodes: type_29;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_142_: type_9;
-    var phi_215_: type_9;
-    var phi_218_: type_29;
-    var phi_220_: u32;
-    var phi_222_: u32;
-    var phi_274_: bool;
-    var phi_299_: type_9;
-    var phi_302_: type_29;
-    var phi_303_: type_29;
-    var phi_594_: type_9;
-    var phi_597_: type_29;
-    var phi_598_: type_29;
-    var phi_874_: u32;
-    var phi_879_: u32;
-    var phi_219_: type_29;
-    var phi_221_: u32;
-    var phi_223_: u32;
-    var phi_885_: type_9;
-    var phi_888_: type_29;
-    var phi_890_: u32;
-    var phi_892_: u32;
-    var phi_944_: bool;
-    var phi_969_: type_9;
-    var phi_972_: type_29;
-    var phi_973_: type_29;
-    var phi_1264_: type_9;
-    var phi_1267_: type_29;
-    var phi_1268_: type_29;
-    var phi_1544_: u32;
-    var phi_1549_: u32;
-    var phi_889_: type_29;
-    var phi_891_: u32;
-    var phi_893_: u32;
-    var local: type_29;
-    var local_1: type_29;
-    var local_2: type_29;
-    var local_3: type_29;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var local_4: type_29;
-    var local_5: type_29;
-    var local_6: type_29;
-    var local_7: type_29;
+fn function_(param: bool, param_1: u32) -> u32 {
+    return select(0u, param_1, param);
+}
+
+fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_150_: type_9;
+    var phi_223_: type_9;
+    var phi_226_: type_26;
+    var phi_228_: u32;
+    var phi_230_: u32;
+    var phi_282_: bool;
+    var phi_307_: type_9;
+    var phi_310_: type_26;
+    var phi_311_: type_26;
+    var phi_602_: type_9;
+    var phi_605_: type_26;
+    var phi_606_: type_26;
+    var phi_882_: u32;
+    var phi_887_: u32;
+    var phi_227_: type_26;
+    var phi_229_: u32;
+    var phi_231_: u32;
+    var phi_893_: type_9;
+    var phi_896_: type_26;
+    var phi_898_: u32;
+    var phi_900_: u32;
+    var phi_952_: bool;
+    var phi_977_: type_9;
+    var phi_980_: type_26;
+    var phi_981_: type_26;
+    var phi_1272_: type_9;
+    var phi_1275_: type_26;
+    var phi_1276_: type_26;
+    var phi_1552_: u32;
+    var phi_1557_: u32;
+    var phi_897_: type_26;
+    var phi_899_: u32;
+    var phi_901_: u32;
+    var local: type_26;
+    var local_1: type_26;
+    var local_2: type_26;
+    var local_3: type_26;
+    var phi_1603_: bool;
+    var phi_1604_: bool;
+    var local_4: type_26;
+    var local_5: type_26;
+    var local_6: type_26;
+    var local_7: type_26;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -145,380 +149,383 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e24 = id_2;
-    let _e25 = n_2;
-    let _e26 = lane_2;
-    let _e44 = params.member.member_2.member_1;
-    let _e46 = far.member[0u];
-    let _e50 = params.member.member.member[_e44];
-    let _e51 = (_e50 - 1u);
-    let _e52 = ((_e25.x * _e25.y) * 128u);
-    if (_e52 == 0u) {
+    let _e23 = id_2;
+    let _e24 = n_2;
+    let _e25 = lane_2;
+    let _e43 = params.member.member_2.member_1;
+    let _e45 = far.member[0u];
+    let _e49 = params.member.member.member[_e43];
+    let _e50 = (_e49 - 1u);
+    let _e51 = ((_e24.x * _e24.y) * 128u);
+    if (_e51 == 0u) {
         return;
     }
-    let _e54 = (_e46 / _e52);
-    if (_e52 == 0u) {
+    let _e53 = (_e45 / _e51);
+    if (_e51 == 0u) {
         return;
     }
-    phi_142_ = type_9(0u, select(_e54, (_e54 + 1u), ((_e46 % _e52) > 0u)));
+    phi_150_ = type_9(0u, select(_e53, (_e53 + 1u), ((_e45 % _e51) > 0u)));
     loop {
-        let _e62 = phi_142_;
-        let _e65 = (_e62.member < _e62.member_1);
-        if (bitcast<i32>(select(0u, 1u, _e65)) != 0i) {
-            let _e80 = ((select(type_9().member_1, _e62.member, _e65) * _e52) + ((((_e24.y * _e25.x) + _e24.x) * 128u) + _e26));
-            if (_e80 >= _e46) {
-                phi_1607_ = false;
+        let _e61 = phi_150_;
+        let _e64 = (_e61.member < _e61.member_1);
+        if (bitcast<i32>(select(0u, 1u, _e64)) != 0i) {
+            let _e79 = ((select(type_9().member_1, _e61.member, _e64) * _e51) + ((((_e23.y * _e24.x) + _e23.x) * 128u) + _e25));
+            if (_e79 >= _e45) {
+                phi_1603_ = false;
             } else {
-                let _e84 = far.member[(4u + _e80)];
-                let _e86 = branches.member[_e84];
-                let _e93 = select(_e86.x, (_e86.x - _e51), (_e86.x >= _e51));
-                phi_215_ = type_9(0u, 8u);
-                phi_218_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                phi_220_ = (_e93 + 1u);
-                phi_222_ = _e86.z;
+                let _e83 = far.member[(4u + _e79)];
+                let _e85 = branches.member[_e83];
+                let _e92 = select(_e85.x, (_e85.x - _e50), (_e85.x >= _e50));
+                phi_223_ = type_9(0u, 8u);
+                phi_226_ = type_26(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_228_ = (_e92 + 1u);
+                phi_230_ = _e85.z;
                 loop {
-                    let _e97 = phi_215_;
-                    let _e99 = phi_218_;
-                    let _e101 = phi_220_;
-                    let _e103 = phi_222_;
-                    local = _e99;
-                    local_1 = _e99;
-                    let _e106 = (_e97.member < _e97.member_1);
-                    let _e117 = select(type_9().member_1, _e97.member, _e106);
-                    let _e119 = (bitcast<i32>(select(0u, 1u, _e106)) != 0i);
-                    if _e119 {
-                        let _e120 = (_e103 % 32u);
-                        let _e124 = select((_e103 + (32u - _e120)), _e103, (_e120 == 0u));
-                        let _e126 = ((_e101 / 32u) * 32u);
-                        if (_e124 < _e126) {
-                            let _e129 = params.member.member_2.member_2;
-                            phi_274_ = (_e117 < _e129);
+                    let _e96 = phi_223_;
+                    let _e98 = phi_226_;
+                    let _e100 = phi_228_;
+                    let _e102 = phi_230_;
+                    local = _e98;
+                    local_1 = _e98;
+                    let _e105 = (_e96.member < _e96.member_1);
+                    let _e116 = select(type_9().member_1, _e96.member, _e105);
+                    let _e118 = (bitcast<i32>(select(0u, 1u, _e105)) != 0i);
+                    if _e118 {
+                        let _e119 = (_e102 % 32u);
+                        let _e123 = select((_e102 + (32u - _e119)), _e102, (_e119 == 0u));
+                        let _e125 = ((_e100 / 32u) * 32u);
+                        if (_e123 < _e125) {
+                            let _e128 = params.member.member_2.member_2;
+                            phi_282_ = (_e116 < _e128);
                         } else {
-                            phi_274_ = false;
+                            phi_282_ = false;
                         }
-                        let _e132 = phi_274_;
-                        let _e133 = select(_e101, _e126, _e132);
-                        let _e134 = select(_e101, _e124, _e132);
-                        let _e135 = (_e134 - _e103);
-                        let _e136 = (_e135 / 4u);
-                        phi_299_ = type_9(0u, select(_e136, (_e136 + 1u), ((_e135 % 4u) > 0u)));
-                        phi_302_ = _e99;
+                        let _e131 = phi_282_;
+                        let _e132 = select(_e100, _e125, _e131);
+                        let _e133 = select(_e100, _e123, _e131);
+                        let _e134 = (_e133 - _e102);
+                        let _e135 = (_e134 / 4u);
+                        phi_307_ = type_9(0u, select(_e135, (_e135 + 1u), ((_e134 % 4u) > 0u)));
+                        phi_310_ = _e98;
                         loop {
-                            let _e143 = phi_299_;
-                            let _e145 = phi_302_;
-                            local_4 = _e145;
-                            let _e148 = (_e143.member < _e143.member_1);
-                            let _e161 = (bitcast<i32>(select(0u, 1u, _e148)) != 0i);
-                            if _e161 {
-                                let _e167 = params.member.member_2.member[_e117][_e44];
-                                let _e168 = (_e167 + (_e103 + (4u * select(type_9().member_1, _e143.member, _e148))));
-                                let _e172 = params.member.member_2.member[_e117][_e44];
-                                let _e174 = ((_e172 + _e134) - 1u);
-                                let _e176 = block_nodes.member[_e168];
-                                let _e189 = (_e168 + 1u);
-                                let _e193 = block_nodes.member[select(_e189, _e174, (_e174 < _e189))];
-                                let _e206 = (_e168 + 2u);
-                                let _e210 = block_nodes.member[select(_e206, _e174, (_e174 < _e206))];
-                                let _e223 = (_e168 + 3u);
-                                let _e227 = block_nodes.member[select(_e223, _e174, (_e174 < _e223))];
-                                let _e241 = select(_e193.member.x, _e176.member.x, (_e176.member.x < _e193.member.x));
-                                let _e243 = select(_e193.member.y, _e176.member.y, (_e176.member.y < _e193.member.y));
-                                let _e245 = select(_e193.member_1.x, _e176.member_1.x, (_e176.member_1.x < _e193.member_1.x));
-                                let _e247 = select(_e193.member_1.y, _e176.member_1.y, (_e176.member_1.y > _e193.member_1.y));
-                                let _e249 = select(_e193.member_2.x, _e176.member_2.x, (_e176.member_2.x > _e193.member_2.x));
-                                let _e251 = select(_e193.member_2.y, _e176.member_2.y, (_e176.member_2.y > _e193.member_2.y));
-                                let _e253 = select(_e227.member.x, _e210.member.x, (_e210.member.x < _e227.member.x));
-                                let _e255 = select(_e227.member.y, _e210.member.y, (_e210.member.y < _e227.member.y));
-                                let _e257 = select(_e227.member_1.x, _e210.member_1.x, (_e210.member_1.x < _e227.member_1.x));
-                                let _e259 = select(_e227.member_1.y, _e210.member_1.y, (_e210.member_1.y > _e227.member_1.y));
-                                let _e261 = select(_e227.member_2.x, _e210.member_2.x, (_e210.member_2.x > _e227.member_2.x));
-                                let _e263 = select(_e227.member_2.y, _e210.member_2.y, (_e210.member_2.y > _e227.member_2.y));
-                                let _e265 = select(_e253, _e241, (_e241 < _e253));
-                                let _e267 = select(_e255, _e243, (_e243 < _e255));
-                                let _e269 = select(_e257, _e245, (_e245 < _e257));
-                                let _e271 = select(_e259, _e247, (_e247 > _e259));
-                                let _e273 = select(_e261, _e249, (_e249 > _e261));
-                                let _e275 = select(_e263, _e251, (_e251 > _e263));
-                                phi_303_ = type_29(array<f32, 3>(select(_e265, _e145.member[0], (_e145.member[0] < _e265)), select(_e267, _e145.member[1], (_e145.member[1] < _e267)), select(_e269, _e145.member[2], (_e145.member[2] < _e269))), array<f32, 3>(select(_e271, _e145.member_1[0], (_e145.member_1[0] > _e271)), select(_e273, _e145.member_1[1], (_e145.member_1[1] > _e273)), select(_e275, _e145.member_1[2], (_e145.member_1[2] > _e275))));
+                            let _e142 = phi_307_;
+                            let _e144 = phi_310_;
+                            local_4 = _e144;
+                            let _e147 = (_e142.member < _e142.member_1);
+                            let _e160 = (bitcast<i32>(select(0u, 1u, _e147)) != 0i);
+                            if _e160 {
+                                let _e166 = params.member.member_2.member[_e116][_e43];
+                                let _e167 = (_e166 + (_e102 + (4u * select(type_9().member_1, _e142.member, _e147))));
+                                let _e171 = params.member.member_2.member[_e116][_e43];
+                                let _e173 = ((_e171 + _e133) - 1u);
+                                let _e175 = block_nodes.member[_e167];
+                                let _e188 = (_e167 + 1u);
+                                let _e192 = block_nodes.member[select(_e188, _e173, (_e173 < _e188))];
+                                let _e205 = (_e167 + 2u);
+                                let _e209 = block_nodes.member[select(_e205, _e173, (_e173 < _e205))];
+                                let _e222 = (_e167 + 3u);
+                                let _e226 = block_nodes.member[select(_e222, _e173, (_e173 < _e222))];
+                                let _e240 = select(_e192.member.x, _e175.member.x, (_e175.member.x < _e192.member.x));
+                                let _e242 = select(_e192.member.y, _e175.member.y, (_e175.member.y < _e192.member.y));
+                                let _e244 = select(_e192.member_1.x, _e175.member_1.x, (_e175.member_1.x < _e192.member_1.x));
+                                let _e246 = select(_e192.member_1.y, _e175.member_1.y, (_e175.member_1.y > _e192.member_1.y));
+                                let _e248 = select(_e192.member_2.x, _e175.member_2.x, (_e175.member_2.x > _e192.member_2.x));
+                                let _e250 = select(_e192.member_2.y, _e175.member_2.y, (_e175.member_2.y > _e192.member_2.y));
+                                let _e252 = select(_e226.member.x, _e209.member.x, (_e209.member.x < _e226.member.x));
+                                let _e254 = select(_e226.member.y, _e209.member.y, (_e209.member.y < _e226.member.y));
+                                let _e256 = select(_e226.member_1.x, _e209.member_1.x, (_e209.member_1.x < _e226.member_1.x));
+                                let _e258 = select(_e226.member_1.y, _e209.member_1.y, (_e209.member_1.y > _e226.member_1.y));
+                                let _e260 = select(_e226.member_2.x, _e209.member_2.x, (_e209.member_2.x > _e226.member_2.x));
+                                let _e262 = select(_e226.member_2.y, _e209.member_2.y, (_e209.member_2.y > _e226.member_2.y));
+                                let _e264 = select(_e252, _e240, (_e240 < _e252));
+                                let _e266 = select(_e254, _e242, (_e242 < _e254));
+                                let _e268 = select(_e256, _e244, (_e244 < _e256));
+                                let _e270 = select(_e258, _e246, (_e246 > _e258));
+                                let _e272 = select(_e260, _e248, (_e248 > _e260));
+                                let _e274 = select(_e262, _e250, (_e250 > _e262));
+                                phi_311_ = type_26(array<f32, 3>(select(_e264, _e144.member[0], (_e144.member[0] < _e264)), select(_e266, _e144.member[1], (_e144.member[1] < _e266)), select(_e268, _e144.member[2], (_e144.member[2] < _e268))), array<f32, 3>(select(_e270, _e144.member_1[0], (_e144.member_1[0] > _e270)), select(_e272, _e144.member_1[1], (_e144.member_1[1] > _e272)), select(_e274, _e144.member_1[2], (_e144.member_1[2] > _e274))));
                             } else {
-                                phi_303_ = type_29();
+                                phi_311_ = type_26();
                             }
-                            let _e304 = phi_303_;
+                            let _e303 = phi_311_;
                             continue;
                             continuing {
-                                phi_299_ = type_9(select(_e143.member, (_e143.member + 1u), _e148), select(_e143.member_1, _e143.member_1, _e148));
-                                phi_302_ = _e304;
-                                break if !(_e161);
+                                phi_307_ = type_9(select(_e142.member, (_e142.member + 1u), _e147), select(_e142.member_1, _e142.member_1, _e147));
+                                phi_310_ = _e303;
+                                break if !(_e160);
                             }
                         }
-                        let _e306 = (_e101 - _e133);
-                        let _e307 = (_e306 / 4u);
-                        phi_594_ = type_9(0u, select(_e307, (_e307 + 1u), ((_e306 % 4u) > 0u)));
-                        let _e959 = local_4;
-                        phi_597_ = _e959;
+                        let _e305 = (_e100 - _e132);
+                        let _e306 = (_e305 / 4u);
+                        phi_602_ = type_9(0u, select(_e306, (_e306 + 1u), ((_e305 % 4u) > 0u)));
+                        let _e955 = local_4;
+                        phi_605_ = _e955;
                         loop {
-                            let _e314 = phi_594_;
-                            let _e316 = phi_597_;
-                            local_5 = _e316;
-                            let _e319 = (_e314.member < _e314.member_1);
-                            let _e332 = (bitcast<i32>(select(0u, 1u, _e319)) != 0i);
-                            if _e332 {
-                                let _e338 = params.member.member_2.member[_e117][_e44];
-                                let _e339 = (_e338 + (_e133 + (4u * select(type_9().member_1, _e314.member, _e319))));
-                                let _e343 = params.member.member_2.member[_e117][_e44];
-                                let _e345 = ((_e343 + _e101) - 1u);
-                                let _e347 = block_nodes.member[_e339];
-                                let _e360 = (_e339 + 1u);
-                                let _e364 = block_nodes.member[select(_e360, _e345, (_e345 < _e360))];
-                                let _e377 = (_e339 + 2u);
-                                let _e381 = block_nodes.member[select(_e377, _e345, (_e345 < _e377))];
-                                let _e394 = (_e339 + 3u);
-                                let _e398 = block_nodes.member[select(_e394, _e345, (_e345 < _e394))];
-                                let _e412 = select(_e364.member.x, _e347.member.x, (_e347.member.x < _e364.member.x));
-                                let _e414 = select(_e364.member.y, _e347.member.y, (_e347.member.y < _e364.member.y));
-                                let _e416 = select(_e364.member_1.x, _e347.member_1.x, (_e347.member_1.x < _e364.member_1.x));
-                                let _e418 = select(_e364.member_1.y, _e347.member_1.y, (_e347.member_1.y > _e364.member_1.y));
-                                let _e420 = select(_e364.member_2.x, _e347.member_2.x, (_e347.member_2.x > _e364.member_2.x));
-                                let _e422 = select(_e364.member_2.y, _e347.member_2.y, (_e347.member_2.y > _e364.member_2.y));
-                                let _e424 = select(_e398.member.x, _e381.member.x, (_e381.member.x < _e398.member.x));
-                                let _e426 = select(_e398.member.y, _e381.member.y, (_e381.member.y < _e398.member.y));
-                                let _e428 = select(_e398.member_1.x, _e381.member_1.x, (_e381.member_1.x < _e398.member_1.x));
-                                let _e430 = select(_e398.member_1.y, _e381.member_1.y, (_e381.member_1.y > _e398.member_1.y));
-                                let _e432 = select(_e398.member_2.x, _e381.member_2.x, (_e381.member_2.x > _e398.member_2.x));
-                                let _e434 = select(_e398.member_2.y, _e381.member_2.y, (_e381.member_2.y > _e398.member_2.y));
-                                let _e436 = select(_e424, _e412, (_e412 < _e424));
-                                let _e438 = select(_e426, _e414, (_e414 < _e426));
-                                let _e440 = select(_e428, _e416, (_e416 < _e428));
-                                let _e442 = select(_e430, _e418, (_e418 > _e430));
-                                let _e444 = select(_e432, _e420, (_e420 > _e432));
-                                let _e446 = select(_e434, _e422, (_e422 > _e434));
-                                phi_598_ = type_29(array<f32, 3>(select(_e436, _e316.member[0], (_e316.member[0] < _e436)), select(_e438, _e316.member[1], (_e316.member[1] < _e438)), select(_e440, _e316.member[2], (_e316.member[2] < _e440))), array<f32, 3>(select(_e442, _e316.member_1[0], (_e316.member_1[0] > _e442)), select(_e444, _e316.member_1[1], (_e316.member_1[1] > _e444)), select(_e446, _e316.member_1[2], (_e316.member_1[2] > _e446))));
+                            let _e313 = phi_602_;
+                            let _e315 = phi_605_;
+                            local_5 = _e315;
+                            let _e318 = (_e313.member < _e313.member_1);
+                            let _e331 = (bitcast<i32>(select(0u, 1u, _e318)) != 0i);
+                            if _e331 {
+                                let _e337 = params.member.member_2.member[_e116][_e43];
+                                let _e338 = (_e337 + (_e132 + (4u * select(type_9().member_1, _e313.member, _e318))));
+                                let _e342 = params.member.member_2.member[_e116][_e43];
+                                let _e344 = ((_e342 + _e100) - 1u);
+                                let _e346 = block_nodes.member[_e338];
+                                let _e359 = (_e338 + 1u);
+                                let _e363 = block_nodes.member[select(_e359, _e344, (_e344 < _e359))];
+                                let _e376 = (_e338 + 2u);
+                                let _e380 = block_nodes.member[select(_e376, _e344, (_e344 < _e376))];
+                                let _e393 = (_e338 + 3u);
+                                let _e397 = block_nodes.member[select(_e393, _e344, (_e344 < _e393))];
+                                let _e411 = select(_e363.member.x, _e346.member.x, (_e346.member.x < _e363.member.x));
+                                let _e413 = select(_e363.member.y, _e346.member.y, (_e346.member.y < _e363.member.y));
+                                let _e415 = select(_e363.member_1.x, _e346.member_1.x, (_e346.member_1.x < _e363.member_1.x));
+                                let _e417 = select(_e363.member_1.y, _e346.member_1.y, (_e346.member_1.y > _e363.member_1.y));
+                                let _e419 = select(_e363.member_2.x, _e346.member_2.x, (_e346.member_2.x > _e363.member_2.x));
+                                let _e421 = select(_e363.member_2.y, _e346.member_2.y, (_e346.member_2.y > _e363.member_2.y));
+                                let _e423 = select(_e397.member.x, _e380.member.x, (_e380.member.x < _e397.member.x));
+                                let _e425 = select(_e397.member.y, _e380.member.y, (_e380.member.y < _e397.member.y));
+                                let _e427 = select(_e397.member_1.x, _e380.member_1.x, (_e380.member_1.x < _e397.member_1.x));
+                                let _e429 = select(_e397.member_1.y, _e380.member_1.y, (_e380.member_1.y > _e397.member_1.y));
+                                let _e431 = select(_e397.member_2.x, _e380.member_2.x, (_e380.member_2.x > _e397.member_2.x));
+                                let _e433 = select(_e397.member_2.y, _e380.member_2.y, (_e380.member_2.y > _e397.member_2.y));
+                                let _e435 = select(_e423, _e411, (_e411 < _e423));
+                                let _e437 = select(_e425, _e413, (_e413 < _e425));
+                                let _e439 = select(_e427, _e415, (_e415 < _e427));
+                                let _e441 = select(_e429, _e417, (_e417 > _e429));
+                                let _e443 = select(_e431, _e419, (_e419 > _e431));
+                                let _e445 = select(_e433, _e421, (_e421 > _e433));
+                                phi_606_ = type_26(array<f32, 3>(select(_e435, _e315.member[0], (_e315.member[0] < _e435)), select(_e437, _e315.member[1], (_e315.member[1] < _e437)), select(_e439, _e315.member[2], (_e315.member[2] < _e439))), array<f32, 3>(select(_e441, _e315.member_1[0], (_e315.member_1[0] > _e441)), select(_e443, _e315.member_1[1], (_e315.member_1[1] > _e443)), select(_e445, _e315.member_1[2], (_e315.member_1[2] > _e445))));
                             } else {
-                                phi_598_ = type_29();
+                                phi_606_ = type_26();
                             }
-                            let _e475 = phi_598_;
+                            let _e474 = phi_606_;
                             continue;
                             continuing {
-                                phi_594_ = type_9(select(_e314.member, (_e314.member + 1u), _e319), select(_e314.member_1, _e314.member_1, _e319));
-                                phi_597_ = _e475;
-                                break if !(_e332);
+                                phi_602_ = type_9(select(_e313.member, (_e313.member + 1u), _e318), select(_e313.member_1, _e313.member_1, _e318));
+                                phi_605_ = _e474;
+                                break if !(_e331);
                             }
                         }
-                        if _e132 {
-                            phi_874_ = (_e124 / 32u);
+                        if _e131 {
+                            phi_882_ = (_e123 / 32u);
                         } else {
-                            phi_874_ = 0u;
+                            phi_882_ = 0u;
                         }
-                        let _e479 = phi_874_;
-                        if _e132 {
-                            phi_879_ = (_e126 / 32u);
+                        let _e478 = phi_882_;
+                        if _e131 {
+                            phi_887_ = (_e125 / 32u);
                         } else {
-                            phi_879_ = 0u;
+                            phi_887_ = 0u;
                         }
-                        let _e482 = phi_879_;
-                        let _e965 = local_5;
-                        phi_219_ = _e965;
-                        phi_221_ = _e482;
-                        phi_223_ = _e479;
+                        let _e481 = phi_887_;
+                        let _e961 = local_5;
+                        phi_227_ = _e961;
+                        phi_229_ = _e481;
+                        phi_231_ = _e478;
                     } else {
-                        phi_219_ = type_29();
-                        phi_221_ = u32();
-                        phi_223_ = u32();
+                        phi_227_ = type_26();
+                        phi_229_ = u32();
+                        phi_231_ = u32();
                     }
-                    let _e484 = phi_219_;
-                    let _e486 = phi_221_;
-                    let _e488 = phi_223_;
+                    let _e483 = phi_227_;
+                    let _e485 = phi_229_;
+                    let _e487 = phi_231_;
                     continue;
                     continuing {
-                        phi_215_ = type_9(select(_e97.member, (_e97.member + 1u), _e106), select(_e97.member_1, _e97.member_1, _e106));
-                        phi_218_ = _e484;
-                        phi_220_ = _e486;
-                        phi_222_ = _e488;
-                        break if !(_e119);
+                        phi_223_ = type_9(select(_e96.member, (_e96.member + 1u), _e105), select(_e96.member_1, _e96.member_1, _e105));
+                        phi_226_ = _e483;
+                        phi_228_ = _e485;
+                        phi_230_ = _e487;
+                        break if !(_e118);
                     }
                 }
-                phi_885_ = type_9(0u, 8u);
-                phi_888_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                phi_890_ = (_e86.w + 1u);
-                phi_892_ = (_e93 + 1u);
+                phi_893_ = type_9(0u, 8u);
+                phi_896_ = type_26(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_898_ = (_e85.w + 1u);
+                phi_900_ = (_e92 + 1u);
                 loop {
-                    let _e494 = phi_885_;
-                    let _e496 = phi_888_;
-                    let _e498 = phi_890_;
-                    let _e500 = phi_892_;
-                    local_2 = _e496;
-                    local_3 = _e496;
-                    let _e503 = (_e494.member < _e494.member_1);
-                    let _e514 = select(type_9().member_1, _e494.member, _e503);
-                    let _e516 = (bitcast<i32>(select(0u, 1u, _e503)) != 0i);
-                    if _e516 {
-                        let _e517 = (_e500 % 32u);
-                        let _e521 = select((_e500 + (32u - _e517)), _e500, (_e517 == 0u));
-                        let _e523 = ((_e498 / 32u) * 32u);
-                        if (_e521 < _e523) {
-                            let _e526 = params.member.member_2.member_2;
-                            phi_944_ = (_e514 < _e526);
+                    let _e493 = phi_893_;
+                    let _e495 = phi_896_;
+                    let _e497 = phi_898_;
+                    let _e499 = phi_900_;
+                    local_2 = _e495;
+                    local_3 = _e495;
+                    let _e502 = (_e493.member < _e493.member_1);
+                    let _e513 = select(type_9().member_1, _e493.member, _e502);
+                    let _e515 = (bitcast<i32>(select(0u, 1u, _e502)) != 0i);
+                    if _e515 {
+                        let _e516 = (_e499 % 32u);
+                        let _e520 = select((_e499 + (32u - _e516)), _e499, (_e516 == 0u));
+                        let _e522 = ((_e497 / 32u) * 32u);
+                        if (_e520 < _e522) {
+                            let _e525 = params.member.member_2.member_2;
+                            phi_952_ = (_e513 < _e525);
                         } else {
-                            phi_944_ = false;
+                            phi_952_ = false;
                         }
-                        let _e529 = phi_944_;
-                        let _e530 = select(_e498, _e523, _e529);
-                        let _e531 = select(_e498, _e521, _e529);
-                        let _e532 = (_e531 - _e500);
-                        let _e533 = (_e532 / 4u);
-                        phi_969_ = type_9(0u, select(_e533, (_e533 + 1u), ((_e532 % 4u) > 0u)));
-                        phi_972_ = _e496;
+                        let _e528 = phi_952_;
+                        let _e529 = select(_e497, _e522, _e528);
+                        let _e530 = select(_e497, _e520, _e528);
+                        let _e531 = (_e530 - _e499);
+                        let _e532 = (_e531 / 4u);
+                        phi_977_ = type_9(0u, select(_e532, (_e532 + 1u), ((_e531 % 4u) > 0u)));
+                        phi_980_ = _e495;
                         loop {
-                            let _e540 = phi_969_;
-                            let _e542 = phi_972_;
-                            local_6 = _e542;
-                            let _e545 = (_e540.member < _e540.member_1);
-                            let _e558 = (bitcast<i32>(select(0u, 1u, _e545)) != 0i);
-                            if _e558 {
-                                let _e564 = params.member.member_2.member[_e514][_e44];
-                                let _e565 = (_e564 + (_e500 + (4u * select(type_9().member_1, _e540.member, _e545))));
-                                let _e569 = params.member.member_2.member[_e514][_e44];
-                                let _e571 = ((_e569 + _e531) - 1u);
-                                let _e573 = block_nodes.member[_e565];
-                                let _e586 = (_e565 + 1u);
-                                let _e590 = block_nodes.member[select(_e586, _e571, (_e571 < _e586))];
-                                let _e603 = (_e565 + 2u);
-                                let _e607 = block_nodes.member[select(_e603, _e571, (_e571 < _e603))];
-                                let _e620 = (_e565 + 3u);
-                                let _e624 = block_nodes.member[select(_e620, _e571, (_e571 < _e620))];
-                                let _e638 = select(_e590.member.x, _e573.member.x, (_e573.member.x < _e590.member.x));
-                                let _e640 = select(_e590.member.y, _e573.member.y, (_e573.member.y < _e590.member.y));
-                                let _e642 = select(_e590.member_1.x, _e573.member_1.x, (_e573.member_1.x < _e590.member_1.x));
-                                let _e644 = select(_e590.member_1.y, _e573.member_1.y, (_e573.member_1.y > _e590.member_1.y));
-                                let _e646 = select(_e590.member_2.x, _e573.member_2.x, (_e573.member_2.x > _e590.member_2.x));
-                                let _e648 = select(_e590.member_2.y, _e573.member_2.y, (_e573.member_2.y > _e590.member_2.y));
-                                let _e650 = select(_e624.member.x, _e607.member.x, (_e607.member.x < _e624.member.x));
-                                let _e652 = select(_e624.member.y, _e607.member.y, (_e607.member.y < _e624.member.y));
-                                let _e654 = select(_e624.member_1.x, _e607.member_1.x, (_e607.member_1.x < _e624.member_1.x));
-                                let _e656 = select(_e624.member_1.y, _e607.member_1.y, (_e607.member_1.y > _e624.member_1.y));
-                                let _e658 = select(_e624.member_2.x, _e607.member_2.x, (_e607.member_2.x > _e624.member_2.x));
-                                let _e660 = select(_e624.member_2.y, _e607.member_2.y, (_e607.member_2.y > _e624.member_2.y));
-                                let _e662 = select(_e650, _e638, (_e638 < _e650));
-                                let _e664 = select(_e652, _e640, (_e640 < _e652));
-                                let _e666 = select(_e654, _e642, (_e642 < _e654));
-                                let _e668 = select(_e656, _e644, (_e644 > _e656));
-                                let _e670 = select(_e658, _e646, (_e646 > _e658));
-                                let _e672 = select(_e660, _e648, (_e648 > _e660));
-                                phi_973_ = type_29(array<f32, 3>(select(_e662, _e542.member[0], (_e542.member[0] < _e662)), select(_e664, _e542.member[1], (_e542.member[1] < _e664)), select(_e666, _e542.member[2], (_e542.member[2] < _e666))), array<f32, 3>(select(_e668, _e542.member_1[0], (_e542.member_1[0] > _e668)), select(_e670, _e542.member_1[1], (_e542.member_1[1] > _e670)), select(_e672, _e542.member_1[2], (_e542.member_1[2] > _e672))));
+                            let _e539 = phi_977_;
+                            let _e541 = phi_980_;
+                            local_6 = _e541;
+                            let _e544 = (_e539.member < _e539.member_1);
+                            let _e557 = (bitcast<i32>(select(0u, 1u, _e544)) != 0i);
+                            if _e557 {
+                                let _e563 = params.member.member_2.member[_e513][_e43];
+                                let _e564 = (_e563 + (_e499 + (4u * select(type_9().member_1, _e539.member, _e544))));
+                                let _e568 = params.member.member_2.member[_e513][_e43];
+                                let _e570 = ((_e568 + _e530) - 1u);
+                                let _e572 = block_nodes.member[_e564];
+                                let _e585 = (_e564 + 1u);
+                                let _e589 = block_nodes.member[select(_e585, _e570, (_e570 < _e585))];
+                                let _e602 = (_e564 + 2u);
+                                let _e606 = block_nodes.member[select(_e602, _e570, (_e570 < _e602))];
+                                let _e619 = (_e564 + 3u);
+                                let _e623 = block_nodes.member[select(_e619, _e570, (_e570 < _e619))];
+                                let _e637 = select(_e589.member.x, _e572.member.x, (_e572.member.x < _e589.member.x));
+                                let _e639 = select(_e589.member.y, _e572.member.y, (_e572.member.y < _e589.member.y));
+                                let _e641 = select(_e589.member_1.x, _e572.member_1.x, (_e572.member_1.x < _e589.member_1.x));
+                                let _e643 = select(_e589.member_1.y, _e572.member_1.y, (_e572.member_1.y > _e589.member_1.y));
+                                let _e645 = select(_e589.member_2.x, _e572.member_2.x, (_e572.member_2.x > _e589.member_2.x));
+                                let _e647 = select(_e589.member_2.y, _e572.member_2.y, (_e572.member_2.y > _e589.member_2.y));
+                                let _e649 = select(_e623.member.x, _e606.member.x, (_e606.member.x < _e623.member.x));
+                                let _e651 = select(_e623.member.y, _e606.member.y, (_e606.member.y < _e623.member.y));
+                                let _e653 = select(_e623.member_1.x, _e606.member_1.x, (_e606.member_1.x < _e623.member_1.x));
+                                let _e655 = select(_e623.member_1.y, _e606.member_1.y, (_e606.member_1.y > _e623.member_1.y));
+                                let _e657 = select(_e623.member_2.x, _e606.member_2.x, (_e606.member_2.x > _e623.member_2.x));
+                                let _e659 = select(_e623.member_2.y, _e606.member_2.y, (_e606.member_2.y > _e623.member_2.y));
+                                let _e661 = select(_e649, _e637, (_e637 < _e649));
+                                let _e663 = select(_e651, _e639, (_e639 < _e651));
+                                let _e665 = select(_e653, _e641, (_e641 < _e653));
+                                let _e667 = select(_e655, _e643, (_e643 > _e655));
+                                let _e669 = select(_e657, _e645, (_e645 > _e657));
+                                let _e671 = select(_e659, _e647, (_e647 > _e659));
+                                phi_981_ = type_26(array<f32, 3>(select(_e661, _e541.member[0], (_e541.member[0] < _e661)), select(_e663, _e541.member[1], (_e541.member[1] < _e663)), select(_e665, _e541.member[2], (_e541.member[2] < _e665))), array<f32, 3>(select(_e667, _e541.member_1[0], (_e541.member_1[0] > _e667)), select(_e669, _e541.member_1[1], (_e541.member_1[1] > _e669)), select(_e671, _e541.member_1[2], (_e541.member_1[2] > _e671))));
                             } else {
-                                phi_973_ = type_29();
+                                phi_981_ = type_26();
                             }
-                            let _e701 = phi_973_;
+                            let _e700 = phi_981_;
                             continue;
                             continuing {
-                                phi_969_ = type_9(select(_e540.member, (_e540.member + 1u), _e545), select(_e540.member_1, _e540.member_1, _e545));
-                                phi_972_ = _e701;
-                                break if !(_e558);
+                                phi_977_ = type_9(select(_e539.member, (_e539.member + 1u), _e544), select(_e539.member_1, _e539.member_1, _e544));
+                                phi_980_ = _e700;
+                                break if !(_e557);
                             }
                         }
-                        let _e703 = (_e498 - _e530);
-                        let _e704 = (_e703 / 4u);
-                        phi_1264_ = type_9(0u, select(_e704, (_e704 + 1u), ((_e703 % 4u) > 0u)));
-                        let _e979 = local_6;
-                        phi_1267_ = _e979;
+                        let _e702 = (_e497 - _e529);
+                        let _e703 = (_e702 / 4u);
+                        phi_1272_ = type_9(0u, select(_e703, (_e703 + 1u), ((_e702 % 4u) > 0u)));
+                        let _e975 = local_6;
+                        phi_1275_ = _e975;
                         loop {
-                            let _e711 = phi_1264_;
-                            let _e713 = phi_1267_;
-                            local_7 = _e713;
-                            let _e716 = (_e711.member < _e711.member_1);
-                            let _e729 = (bitcast<i32>(select(0u, 1u, _e716)) != 0i);
-                            if _e729 {
-                                let _e735 = params.member.member_2.member[_e514][_e44];
-                                let _e736 = (_e735 + (_e530 + (4u * select(type_9().member_1, _e711.member, _e716))));
-                                let _e740 = params.member.member_2.member[_e514][_e44];
-                                let _e742 = ((_e740 + _e498) - 1u);
-                                let _e744 = block_nodes.member[_e736];
-                                let _e757 = (_e736 + 1u);
-                                let _e761 = block_nodes.member[select(_e757, _e742, (_e742 < _e757))];
-                                let _e774 = (_e736 + 2u);
-                                let _e778 = block_nodes.member[select(_e774, _e742, (_e742 < _e774))];
-                                let _e791 = (_e736 + 3u);
-                                let _e795 = block_nodes.member[select(_e791, _e742, (_e742 < _e791))];
-                                let _e809 = select(_e761.member.x, _e744.member.x, (_e744.member.x < _e761.member.x));
-                                let _e811 = select(_e761.member.y, _e744.member.y, (_e744.member.y < _e761.member.y));
-                                let _e813 = select(_e761.member_1.x, _e744.member_1.x, (_e744.member_1.x < _e761.member_1.x));
-                                let _e815 = select(_e761.member_1.y, _e744.member_1.y, (_e744.member_1.y > _e761.member_1.y));
-                                let _e817 = select(_e761.member_2.x, _e744.member_2.x, (_e744.member_2.x > _e761.member_2.x));
-                                let _e819 = select(_e761.member_2.y, _e744.member_2.y, (_e744.member_2.y > _e761.member_2.y));
-                                let _e821 = select(_e795.member.x, _e778.member.x, (_e778.member.x < _e795.member.x));
-                                let _e823 = select(_e795.member.y, _e778.member.y, (_e778.member.y < _e795.member.y));
-                                let _e825 = select(_e795.member_1.x, _e778.member_1.x, (_e778.member_1.x < _e795.member_1.x));
-                                let _e827 = select(_e795.member_1.y, _e778.member_1.y, (_e778.member_1.y > _e795.member_1.y));
-                                let _e829 = select(_e795.member_2.x, _e778.member_2.x, (_e778.member_2.x > _e795.member_2.x));
-                                let _e831 = select(_e795.member_2.y, _e778.member_2.y, (_e778.member_2.y > _e795.member_2.y));
-                                let _e833 = select(_e821, _e809, (_e809 < _e821));
-                                let _e835 = select(_e823, _e811, (_e811 < _e823));
-                                let _e837 = select(_e825, _e813, (_e813 < _e825));
-                                let _e839 = select(_e827, _e815, (_e815 > _e827));
-                                let _e841 = select(_e829, _e817, (_e817 > _e829));
-                                let _e843 = select(_e831, _e819, (_e819 > _e831));
-                                phi_1268_ = type_29(array<f32, 3>(select(_e833, _e713.member[0], (_e713.member[0] < _e833)), select(_e835, _e713.member[1], (_e713.member[1] < _e835)), select(_e837, _e713.member[2], (_e713.member[2] < _e837))), array<f32, 3>(select(_e839, _e713.member_1[0], (_e713.member_1[0] > _e839)), select(_e841, _e713.member_1[1], (_e713.member_1[1] > _e841)), select(_e843, _e713.member_1[2], (_e713.member_1[2] > _e843))));
+                            let _e710 = phi_1272_;
+                            let _e712 = phi_1275_;
+                            local_7 = _e712;
+                            let _e715 = (_e710.member < _e710.member_1);
+                            let _e728 = (bitcast<i32>(select(0u, 1u, _e715)) != 0i);
+                            if _e728 {
+                                let _e734 = params.member.member_2.member[_e513][_e43];
+                                let _e735 = (_e734 + (_e529 + (4u * select(type_9().member_1, _e710.member, _e715))));
+                                let _e739 = params.member.member_2.member[_e513][_e43];
+                                let _e741 = ((_e739 + _e497) - 1u);
+                                let _e743 = block_nodes.member[_e735];
+                                let _e756 = (_e735 + 1u);
+                                let _e760 = block_nodes.member[select(_e756, _e741, (_e741 < _e756))];
+                                let _e773 = (_e735 + 2u);
+                                let _e777 = block_nodes.member[select(_e773, _e741, (_e741 < _e773))];
+                                let _e790 = (_e735 + 3u);
+                                let _e794 = block_nodes.member[select(_e790, _e741, (_e741 < _e790))];
+                                let _e808 = select(_e760.member.x, _e743.member.x, (_e743.member.x < _e760.member.x));
+                                let _e810 = select(_e760.member.y, _e743.member.y, (_e743.member.y < _e760.member.y));
+                                let _e812 = select(_e760.member_1.x, _e743.member_1.x, (_e743.member_1.x < _e760.member_1.x));
+                                let _e814 = select(_e760.member_1.y, _e743.member_1.y, (_e743.member_1.y > _e760.member_1.y));
+                                let _e816 = select(_e760.member_2.x, _e743.member_2.x, (_e743.member_2.x > _e760.member_2.x));
+                                let _e818 = select(_e760.member_2.y, _e743.member_2.y, (_e743.member_2.y > _e760.member_2.y));
+                                let _e820 = select(_e794.member.x, _e777.member.x, (_e777.member.x < _e794.member.x));
+                                let _e822 = select(_e794.member.y, _e777.member.y, (_e777.member.y < _e794.member.y));
+                                let _e824 = select(_e794.member_1.x, _e777.member_1.x, (_e777.member_1.x < _e794.member_1.x));
+                                let _e826 = select(_e794.member_1.y, _e777.member_1.y, (_e777.member_1.y > _e794.member_1.y));
+                                let _e828 = select(_e794.member_2.x, _e777.member_2.x, (_e777.member_2.x > _e794.member_2.x));
+                                let _e830 = select(_e794.member_2.y, _e777.member_2.y, (_e777.member_2.y > _e794.member_2.y));
+                                let _e832 = select(_e820, _e808, (_e808 < _e820));
+                                let _e834 = select(_e822, _e810, (_e810 < _e822));
+                                let _e836 = select(_e824, _e812, (_e812 < _e824));
+                                let _e838 = select(_e826, _e814, (_e814 > _e826));
+                                let _e840 = select(_e828, _e816, (_e816 > _e828));
+                                let _e842 = select(_e830, _e818, (_e818 > _e830));
+                                phi_1276_ = type_26(array<f32, 3>(select(_e832, _e712.member[0], (_e712.member[0] < _e832)), select(_e834, _e712.member[1], (_e712.member[1] < _e834)), select(_e836, _e712.member[2], (_e712.member[2] < _e836))), array<f32, 3>(select(_e838, _e712.member_1[0], (_e712.member_1[0] > _e838)), select(_e840, _e712.member_1[1], (_e712.member_1[1] > _e840)), select(_e842, _e712.member_1[2], (_e712.member_1[2] > _e842))));
                             } else {
-                                phi_1268_ = type_29();
+                                phi_1276_ = type_26();
                             }
-                            let _e872 = phi_1268_;
+                            let _e871 = phi_1276_;
                             continue;
                             continuing {
-                                phi_1264_ = type_9(select(_e711.member, (_e711.member + 1u), _e716), select(_e711.member_1, _e711.member_1, _e716));
-                                phi_1267_ = _e872;
-                                break if !(_e729);
+                                phi_1272_ = type_9(select(_e710.member, (_e710.member + 1u), _e715), select(_e710.member_1, _e710.member_1, _e715));
+                                phi_1275_ = _e871;
+                                break if !(_e728);
                             }
                         }
-                        if _e529 {
-                            phi_1544_ = (_e521 / 32u);
+                        if _e528 {
+                            phi_1552_ = (_e520 / 32u);
                         } else {
-                            phi_1544_ = 0u;
+                            phi_1552_ = 0u;
                         }
-                        let _e876 = phi_1544_;
-                        if _e529 {
-                            phi_1549_ = (_e523 / 32u);
+                        let _e875 = phi_1552_;
+                        if _e528 {
+                            phi_1557_ = (_e522 / 32u);
                         } else {
-                            phi_1549_ = 0u;
+                            phi_1557_ = 0u;
                         }
-                        let _e879 = phi_1549_;
-                        let _e985 = local_7;
-                        phi_889_ = _e985;
-                        phi_891_ = _e879;
-                        phi_893_ = _e876;
+                        let _e878 = phi_1557_;
+                        let _e981 = local_7;
+                        phi_897_ = _e981;
+                        phi_899_ = _e878;
+                        phi_901_ = _e875;
                     } else {
-                        phi_889_ = type_29();
-                        phi_891_ = u32();
-                        phi_893_ = u32();
+                        phi_897_ = type_26();
+                        phi_899_ = u32();
+                        phi_901_ = u32();
                     }
-                    let _e881 = phi_889_;
-                    let _e883 = phi_891_;
-                    let _e885 = phi_893_;
+                    let _e880 = phi_897_;
+                    let _e882 = phi_899_;
+                    let _e884 = phi_901_;
                     continue;
                     continuing {
-                        phi_885_ = type_9(select(_e494.member, (_e494.member + 1u), _e503), select(_e494.member_1, _e494.member_1, _e503));
-                        phi_888_ = _e881;
-                        phi_890_ = _e883;
-                        phi_892_ = _e885;
-                        break if !(_e516);
+                        phi_893_ = type_9(select(_e493.member, (_e493.member + 1u), _e502), select(_e493.member_1, _e493.member_1, _e502));
+                        phi_896_ = _e880;
+                        phi_898_ = _e882;
+                        phi_900_ = _e884;
+                        break if !(_e515);
                     }
                 }
-                let _e891 = local;
-                let _e898 = local_1;
-                let _e905 = local_2;
-                let _e908 = local_3;
-                nodes.member[_e84] = type_25(vec4<u32>(bitcast<u32>(_e891.member[0]), bitcast<u32>(_e891.member[1]), bitcast<u32>(_e891.member[2]), select(_e86.x, ((_e86.x - _e51) | 2147483648u), (_e86.x >= _e51))), vec4<u32>(bitcast<u32>(_e898.member_1[0]), bitcast<u32>(_e898.member_1[1]), bitcast<u32>(_e898.member_1[2]), select(_e86.y, ((_e86.y - _e51) | 2147483648u), (_e86.y >= _e51))), vec4<u32>(bitcast<u32>(_e905.member[0]), bitcast<u32>(_e905.member[1]), bitcast<u32>(_e905.member[2]), _e93), vec4<u32>(bitcast<u32>(_e908.member_1[0]), bitcast<u32>(_e908.member_1[1]), bitcast<u32>(_e908.member_1[2]), (_e86.w | select(0u, 2147483648u, ((_e93 - _e86.z) < (_e86.w - _e93))))));
-                phi_1607_ = true;
+                let _e887 = local;
+                let _e890 = local_1;
+                let _e893 = local_2;
+                let _e896 = local_3;
+                let _e899 = function_((_e85.x >= _e50), 1u);
+                let _e901 = function_((_e85.y >= _e50), 2u);
+                let _e906 = function_(((_e92 - _e85.z) < (_e85.w - _e92)), 4u);
+                nodes.member[_e83] = type_27(vec4<u32>(bitcast<u32>(_e887.member[0]), bitcast<u32>(_e887.member[1]), bitcast<u32>(_e887.member[2]), 0u), vec4<u32>(bitcast<u32>(_e890.member_1[0]), bitcast<u32>(_e890.member_1[1]), bitcast<u32>(_e890.member_1[2]), 0u), vec4<u32>(bitcast<u32>(_e893.member[0]), bitcast<u32>(_e893.member[1]), bitcast<u32>(_e893.member[2]), _e92), vec4<u32>(bitcast<u32>(_e896.member_1[0]), bitcast<u32>(_e896.member_1[1]), bitcast<u32>(_e896.member_1[2]), ((_e899 | _e901) | _e906)));
+                phi_1603_ = true;
             }
-            let _e943 = phi_1607_;
-            phi_1608_ = _e943;
+            let _e939 = phi_1603_;
+            phi_1604_ = _e939;
         } else {
-            phi_1608_ = false;
+            phi_1604_ = false;
         }
-        let _e945 = phi_1608_;
+        let _e941 = phi_1604_;
         continue;
         continuing {
-            phi_142_ = type_9(select(_e62.member, (_e62.member + 1u), _e65), select(_e62.member_1, _e62.member_1, _e65));
-            break if !(_e945);
+            phi_150_ = type_9(select(_e61.member, (_e61.member + 1u), _e64), select(_e61.member_1, _e61.member_1, _e64));
+            break if !(_e941);
         }
     }
     return;
@@ -526,5 +533,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn far_nodes(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_1(id, n, lane);
 }

@@ -63,15 +63,8 @@ struct type_22 {
     member: array<type_20>,
 }
 
-struct type_23 {
-    member: vec4<u32>,
-    member_1: vec4<u32>,
-    member_2: vec4<u32>,
-    member_3: vec4<u32>,
-}
-
 struct type_25 {
-    member: array<type_23>,
+    member: array<vec2<u32>>,
 }
 
 struct type_27 {
@@ -93,35 +86,41 @@ var<storage> block_nodes: type_22;
 var<storage, read_write> nodes: type_25;
 @group(0) @binding(4) 
 var<storage, read_write> far: type_31;
-var<workgroup> boxes: array<type_27, 512>;
+var<workgroup> words: array<vec2<u32>, 1024>;
 var<workgroup> counters: array<atomic<u32>, 2>;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_159_: type_27;
-    var phi_198_: type_8;
-    var phi_233_: u32;
-    var phi_234_: u32;
-    var phi_235_: u32;
-    var phi_236_: u32;
-    var phi_237_: u32;
-    var phi_238_: u32;
-    var phi_239_: u32;
-    var phi_240_: u32;
-    var phi_243_: type_9;
-    var phi_246_: type_27;
-    var phi_248_: type_27;
-    var phi_250_: type_27;
-    var phi_365_: type_27;
-    var phi_446_: type_27;
-    var phi_247_: type_27;
-    var phi_249_: type_27;
-    var phi_251_: type_27;
+fn function_(param: bool, param_1: u32) -> u32 {
+    return select(0u, param_1, param);
+}
+
+fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_165_: type_27;
+    var phi_218_: type_8;
+    var phi_253_: u32;
+    var phi_254_: u32;
+    var phi_255_: u32;
+    var phi_256_: u32;
+    var phi_257_: u32;
+    var phi_258_: u32;
+    var phi_259_: u32;
+    var phi_260_: u32;
+    var phi_263_: type_9;
+    var phi_266_: type_27;
+    var phi_268_: type_27;
+    var phi_270_: type_27;
+    var phi_420_: type_27;
+    var phi_538_: type_27;
+    var phi_267_: type_27;
+    var phi_269_: type_27;
+    var phi_271_: type_27;
     var local: type_27;
     var local_1: type_27;
     var local_2: type_27;
     var local_3: type_27;
-    var phi_603_: u32;
-    var phi_604_: u32;
+    var phi_675_: type_9;
+    var phi_795_: type_9;
+    var phi_870_: u32;
+    var phi_871_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -129,171 +128,293 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e23 = id_2;
-    let _e24 = n_2;
-    let _e25 = lane_2;
-    let _e36 = (((_e23.y * _e24.x) + _e23.x) * 256u);
-    let _e37 = (_e36 + _e25);
-    let _e40 = params.member.member_2.member_1;
-    let _e44 = params.member.member.member[_e40];
-    if (_e37 < _e44) {
-        let _e50 = params.member.member_2.member[0u][_e40];
-        let _e53 = block_nodes.member[(_e50 + _e37)];
-        phi_159_ = type_27(array<f32, 3>(_e53.member.x, _e53.member.y, _e53.member_1.x), array<f32, 3>(_e53.member_1.y, _e53.member_2.x, _e53.member_2.y));
+    let _e33 = id_2;
+    let _e34 = n_2;
+    let _e35 = lane_2;
+    let _e46 = (((_e33.y * _e34.x) + _e33.x) * 256u);
+    let _e47 = (_e46 + _e35);
+    let _e50 = params.member.member_2.member_1;
+    let _e54 = params.member.member.member[_e50];
+    if (_e47 < _e54) {
+        let _e60 = params.member.member_2.member[0u][_e50];
+        let _e63 = block_nodes.member[(_e60 + _e47)];
+        phi_165_ = type_27(array<f32, 3>(_e63.member.x, _e63.member.y, _e63.member_1.x), array<f32, 3>(_e63.member_1.y, _e63.member_2.x, _e63.member_2.y));
     } else {
-        phi_159_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_165_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e70 = phi_159_;
-    boxes[_e25] = type_27(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2]));
-    if (_e25 == 0u) {
+    let _e80 = phi_165_;
+    words[(3u * _e35)][0u] = bitcast<u32>(_e80.member[0]);
+    words[(3u * _e35)][1u] = bitcast<u32>(_e80.member[1]);
+    words[((3u * _e35) + 1u)][0u] = bitcast<u32>(_e80.member[2]);
+    words[((3u * _e35) + 1u)][1u] = bitcast<u32>(_e80.member_1[0]);
+    words[((3u * _e35) + 2u)][0u] = bitcast<u32>(_e80.member_1[1]);
+    words[((3u * _e35) + 2u)][1u] = bitcast<u32>(_e80.member_1[2]);
+    if (_e35 == 0u) {
         atomicStore((&counters[0u]), 0u);
     }
-    let _e86 = ((_e37 + 1u) < _e44);
-    if _e86 {
-        let _e89 = branches.member[_e37];
-        phi_198_ = type_8(_e89.x, _e89.y, _e89.z, _e89.w);
+    let _e116 = ((_e47 + 1u) < _e54);
+    if _e116 {
+        let _e119 = branches.member[_e47];
+        phi_218_ = type_8(_e119.x, _e119.y, _e119.z, _e119.w);
     } else {
-        phi_198_ = type_8(0u, 0u, _e36, _e36);
+        phi_218_ = type_8(0u, 0u, _e46, _e46);
     }
-    let _e96 = phi_198_;
-    let _e102 = select(false, (_e96.member_3 < (_e36 + 256u)), (_e96.member_2 >= _e36));
-    let _e103 = (_e44 - 1u);
-    let _e109 = select(_e96.member, (_e96.member - _e103), (_e96.member >= _e103));
-    if _e86 {
-        if _e102 {
-            phi_233_ = (_e96.member_3 - _e109);
-            phi_234_ = ((_e109 + 1u) - _e36);
-            phi_235_ = ((_e109 + 1u) - _e96.member_2);
-            phi_236_ = (_e96.member_2 - _e36);
+    let _e126 = phi_218_;
+    let _e132 = select(false, (_e126.member_3 < (_e46 + 256u)), (_e126.member_2 >= _e46));
+    let _e133 = (_e54 - 1u);
+    let _e139 = select(_e126.member, (_e126.member - _e133), (_e126.member >= _e133));
+    if _e116 {
+        if _e132 {
+            phi_253_ = (_e126.member_3 - _e139);
+            phi_254_ = ((_e139 + 1u) - _e46);
+            phi_255_ = ((_e139 + 1u) - _e126.member_2);
+            phi_256_ = (_e126.member_2 - _e46);
         } else {
-            phi_233_ = 0u;
-            phi_234_ = 0u;
-            phi_235_ = 0u;
-            phi_236_ = 0u;
+            phi_253_ = 0u;
+            phi_254_ = 0u;
+            phi_255_ = 0u;
+            phi_256_ = 0u;
         }
-        let _e120 = phi_233_;
-        let _e122 = phi_234_;
-        let _e124 = phi_235_;
-        let _e126 = phi_236_;
-        phi_237_ = _e120;
-        phi_238_ = _e122;
-        phi_239_ = _e124;
-        phi_240_ = _e126;
+        let _e150 = phi_253_;
+        let _e152 = phi_254_;
+        let _e154 = phi_255_;
+        let _e156 = phi_256_;
+        phi_257_ = _e150;
+        phi_258_ = _e152;
+        phi_259_ = _e154;
+        phi_260_ = _e156;
     } else {
-        phi_237_ = 0u;
-        phi_238_ = 0u;
-        phi_239_ = 0u;
-        phi_240_ = 0u;
+        phi_257_ = 0u;
+        phi_258_ = 0u;
+        phi_259_ = 0u;
+        phi_260_ = 0u;
     }
-    let _e128 = phi_237_;
-    let _e130 = phi_238_;
-    let _e132 = phi_239_;
-    let _e134 = phi_240_;
+    let _e158 = phi_257_;
+    let _e160 = phi_258_;
+    let _e162 = phi_259_;
+    let _e164 = phi_260_;
     workgroupBarrier();
-    phi_243_ = type_9(0u, 9u);
-    phi_246_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-    phi_248_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-    phi_250_ = _e70;
+    phi_263_ = type_9(0u, 9u);
+    phi_266_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    phi_268_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    phi_270_ = _e80;
     loop {
-        let _e136 = phi_243_;
-        let _e138 = phi_246_;
-        let _e140 = phi_248_;
-        let _e142 = phi_250_;
-        local = _e140;
-        local_1 = _e140;
-        local_2 = _e138;
-        local_3 = _e138;
-        let _e145 = (_e136.member < _e136.member_1);
-        let _e156 = select(type_9().member_1, _e136.member, _e145);
-        let _e158 = (bitcast<i32>(select(0u, 1u, _e145)) != 0i);
-        if _e158 {
-            let _e160 = ((_e156 & 1u) * 256u);
-            let _e163 = (1u << bitcast<u32>((_e156 & 31u)));
-            if ((_e132 >> bitcast<u32>((_e156 & 31u))) == 1u) {
-                let _e168 = (_e160 + _e134);
-                let _e170 = boxes[_e168];
-                let _e182 = boxes[((_e168 + _e132) - _e163)];
-                phi_365_ = type_27(array<f32, 3>(select(_e182.member[0], _e170.member[0], (_e170.member[0] < _e182.member[0])), select(_e182.member[1], _e170.member[1], (_e170.member[1] < _e182.member[1])), select(_e182.member[2], _e170.member[2], (_e170.member[2] < _e182.member[2]))), array<f32, 3>(select(_e182.member_1[0], _e170.member_1[0], (_e170.member_1[0] > _e182.member_1[0])), select(_e182.member_1[1], _e170.member_1[1], (_e170.member_1[1] > _e182.member_1[1])), select(_e182.member_1[2], _e170.member_1[2], (_e170.member_1[2] > _e182.member_1[2]))));
+        let _e166 = phi_263_;
+        let _e168 = phi_266_;
+        let _e170 = phi_268_;
+        let _e172 = phi_270_;
+        local = _e170;
+        local_1 = _e170;
+        local_2 = _e168;
+        local_3 = _e168;
+        let _e175 = (_e166.member < _e166.member_1);
+        let _e186 = select(type_9().member_1, _e166.member, _e175);
+        let _e188 = (bitcast<i32>(select(0u, 1u, _e175)) != 0i);
+        if _e188 {
+            let _e191 = (1u << bitcast<u32>((_e186 & 31u)));
+            if ((_e162 >> bitcast<u32>((_e186 & 31u))) == 1u) {
+                let _e199 = words[(3u * _e164)][0u];
+                let _e201 = words[(3u * _e164)][1u];
+                let _e206 = words[((3u * _e164) + 1u)][0u];
+                let _e208 = words[((3u * _e164) + 1u)][1u];
+                let _e213 = words[((3u * _e164) + 2u)][0u];
+                let _e215 = words[((3u * _e164) + 2u)][1u];
+                let _e216 = bitcast<f32>(_e199);
+                let _e217 = bitcast<f32>(_e201);
+                let _e218 = bitcast<f32>(_e206);
+                let _e219 = bitcast<f32>(_e208);
+                let _e220 = bitcast<f32>(_e213);
+                let _e221 = bitcast<f32>(_e215);
+                let _e223 = ((_e164 + _e162) - _e191);
+                let _e227 = words[(3u * _e223)][0u];
+                let _e229 = words[(3u * _e223)][1u];
+                let _e234 = words[((3u * _e223) + 1u)][0u];
+                let _e236 = words[((3u * _e223) + 1u)][1u];
+                let _e241 = words[((3u * _e223) + 2u)][0u];
+                let _e243 = words[((3u * _e223) + 2u)][1u];
+                let _e244 = bitcast<f32>(_e227);
+                let _e245 = bitcast<f32>(_e229);
+                let _e246 = bitcast<f32>(_e234);
+                let _e247 = bitcast<f32>(_e236);
+                let _e248 = bitcast<f32>(_e241);
+                let _e249 = bitcast<f32>(_e243);
+                phi_420_ = type_27(array<f32, 3>(select(_e244, _e216, (_e216 < _e244)), select(_e245, _e217, (_e217 < _e245)), select(_e246, _e218, (_e218 < _e246))), array<f32, 3>(select(_e247, _e219, (_e219 > _e247)), select(_e248, _e220, (_e220 > _e248)), select(_e249, _e221, (_e221 > _e249))));
             } else {
-                phi_365_ = _e140;
+                phi_420_ = _e170;
             }
-            let _e207 = phi_365_;
-            if ((_e128 >> bitcast<u32>((_e156 & 31u))) == 1u) {
-                let _e212 = (_e160 + _e130);
-                let _e214 = boxes[_e212];
-                let _e226 = boxes[((_e212 + _e128) - _e163)];
-                phi_446_ = type_27(array<f32, 3>(select(_e226.member[0], _e214.member[0], (_e214.member[0] < _e226.member[0])), select(_e226.member[1], _e214.member[1], (_e214.member[1] < _e226.member[1])), select(_e226.member[2], _e214.member[2], (_e214.member[2] < _e226.member[2]))), array<f32, 3>(select(_e226.member_1[0], _e214.member_1[0], (_e214.member_1[0] > _e226.member_1[0])), select(_e226.member_1[1], _e214.member_1[1], (_e214.member_1[1] > _e226.member_1[1])), select(_e226.member_1[2], _e214.member_1[2], (_e214.member_1[2] > _e226.member_1[2]))));
+            let _e266 = phi_420_;
+            if ((_e158 >> bitcast<u32>((_e186 & 31u))) == 1u) {
+                let _e274 = words[(3u * _e160)][0u];
+                let _e276 = words[(3u * _e160)][1u];
+                let _e281 = words[((3u * _e160) + 1u)][0u];
+                let _e283 = words[((3u * _e160) + 1u)][1u];
+                let _e288 = words[((3u * _e160) + 2u)][0u];
+                let _e290 = words[((3u * _e160) + 2u)][1u];
+                let _e291 = bitcast<f32>(_e274);
+                let _e292 = bitcast<f32>(_e276);
+                let _e293 = bitcast<f32>(_e281);
+                let _e294 = bitcast<f32>(_e283);
+                let _e295 = bitcast<f32>(_e288);
+                let _e296 = bitcast<f32>(_e290);
+                let _e298 = ((_e160 + _e158) - _e191);
+                let _e302 = words[(3u * _e298)][0u];
+                let _e304 = words[(3u * _e298)][1u];
+                let _e309 = words[((3u * _e298) + 1u)][0u];
+                let _e311 = words[((3u * _e298) + 1u)][1u];
+                let _e316 = words[((3u * _e298) + 2u)][0u];
+                let _e318 = words[((3u * _e298) + 2u)][1u];
+                let _e319 = bitcast<f32>(_e302);
+                let _e320 = bitcast<f32>(_e304);
+                let _e321 = bitcast<f32>(_e309);
+                let _e322 = bitcast<f32>(_e311);
+                let _e323 = bitcast<f32>(_e316);
+                let _e324 = bitcast<f32>(_e318);
+                phi_538_ = type_27(array<f32, 3>(select(_e319, _e291, (_e291 < _e319)), select(_e320, _e292, (_e292 < _e320)), select(_e321, _e293, (_e293 < _e321))), array<f32, 3>(select(_e322, _e294, (_e294 > _e322)), select(_e323, _e295, (_e295 > _e323)), select(_e324, _e296, (_e296 > _e324))));
             } else {
-                phi_446_ = _e138;
+                phi_538_ = _e168;
             }
-            let _e251 = phi_446_;
-            let _e252 = (_e25 + _e163);
-            let _e257 = boxes[(_e160 + select(_e252, 255u, (255u < _e252)))];
-            let _e269 = select(_e257.member[0], _e142.member[0], (_e142.member[0] < _e257.member[0]));
-            let _e273 = select(_e257.member[1], _e142.member[1], (_e142.member[1] < _e257.member[1]));
-            let _e277 = select(_e257.member[2], _e142.member[2], (_e142.member[2] < _e257.member[2]));
-            let _e282 = select(_e257.member_1[0], _e142.member_1[0], (_e142.member_1[0] > _e257.member_1[0]));
-            let _e286 = select(_e257.member_1[1], _e142.member_1[1], (_e142.member_1[1] > _e257.member_1[1]));
-            let _e290 = select(_e257.member_1[2], _e142.member_1[2], (_e142.member_1[2] > _e257.member_1[2]));
-            boxes[((256u - _e160) + _e25)] = type_27(array<f32, 3>(_e269, _e273, _e277), array<f32, 3>(_e282, _e286, _e290));
+            let _e341 = phi_538_;
+            let _e342 = (_e35 + _e191);
+            let _e344 = select(_e342, 255u, (255u < _e342));
+            let _e348 = words[(3u * _e344)][0u];
+            let _e350 = words[(3u * _e344)][1u];
+            let _e355 = words[((3u * _e344) + 1u)][0u];
+            let _e357 = words[((3u * _e344) + 1u)][1u];
+            let _e362 = words[((3u * _e344) + 2u)][0u];
+            let _e364 = words[((3u * _e344) + 2u)][1u];
+            let _e365 = bitcast<f32>(_e348);
+            let _e366 = bitcast<f32>(_e350);
+            let _e367 = bitcast<f32>(_e355);
+            let _e368 = bitcast<f32>(_e357);
+            let _e369 = bitcast<f32>(_e362);
+            let _e370 = bitcast<f32>(_e364);
+            let _e374 = select(_e365, _e172.member[0], (_e172.member[0] < _e365));
+            let _e378 = select(_e366, _e172.member[1], (_e172.member[1] < _e366));
+            let _e382 = select(_e367, _e172.member[2], (_e172.member[2] < _e367));
+            let _e387 = select(_e368, _e172.member_1[0], (_e172.member_1[0] > _e368));
+            let _e391 = select(_e369, _e172.member_1[1], (_e172.member_1[1] > _e369));
+            let _e395 = select(_e370, _e172.member_1[2], (_e172.member_1[2] > _e370));
             workgroupBarrier();
-            phi_247_ = _e251;
-            phi_249_ = _e207;
-            phi_251_ = type_27(array<f32, 3>(_e269, _e273, _e277), array<f32, 3>(_e282, _e286, _e290));
+            words[(3u * _e35)][0u] = bitcast<u32>(_e374);
+            words[(3u * _e35)][1u] = bitcast<u32>(_e378);
+            words[((3u * _e35) + 1u)][0u] = bitcast<u32>(_e382);
+            words[((3u * _e35) + 1u)][1u] = bitcast<u32>(_e387);
+            words[((3u * _e35) + 2u)][0u] = bitcast<u32>(_e391);
+            words[((3u * _e35) + 2u)][1u] = bitcast<u32>(_e395);
+            workgroupBarrier();
+            phi_267_ = _e341;
+            phi_269_ = _e266;
+            phi_271_ = type_27(array<f32, 3>(_e374, _e378, _e382), array<f32, 3>(_e387, _e391, _e395));
         } else {
-            phi_247_ = type_27();
-            phi_249_ = type_27();
-            phi_251_ = type_27();
+            phi_267_ = type_27();
+            phi_269_ = type_27();
+            phi_271_ = type_27();
         }
-        let _e300 = phi_247_;
-        let _e302 = phi_249_;
-        let _e304 = phi_251_;
+        let _e419 = phi_267_;
+        let _e421 = phi_269_;
+        let _e423 = phi_271_;
         continue;
         continuing {
-            phi_243_ = type_9(select(_e136.member, (_e136.member + 1u), _e145), select(_e136.member_1, _e136.member_1, _e145));
-            phi_246_ = _e300;
-            phi_248_ = _e302;
-            phi_250_ = _e304;
-            break if !(_e158);
+            phi_263_ = type_9(select(_e166.member, (_e166.member + 1u), _e175), select(_e166.member_1, _e166.member_1, _e175));
+            phi_266_ = _e419;
+            phi_268_ = _e421;
+            phi_270_ = _e423;
+            break if !(_e188);
         }
     }
-    if _e86 {
-        if _e102 {
-            let _e306 = (_e44 - 1u);
-            let _e313 = local;
-            let _e321 = local_1;
-            let _e329 = local_2;
-            let _e332 = local_3;
-            nodes.member[_e37] = type_23(vec4<u32>(bitcast<u32>(_e313.member[0]), bitcast<u32>(_e313.member[1]), bitcast<u32>(_e313.member[2]), select(_e96.member, ((_e96.member - _e306) | 2147483648u), (_e96.member >= _e306))), vec4<u32>(bitcast<u32>(_e321.member_1[0]), bitcast<u32>(_e321.member_1[1]), bitcast<u32>(_e321.member_1[2]), select(_e96.member_1, ((_e96.member_1 - _e306) | 2147483648u), (_e96.member_1 >= _e306))), vec4<u32>(bitcast<u32>(_e329.member[0]), bitcast<u32>(_e329.member[1]), bitcast<u32>(_e329.member[2]), _e109), vec4<u32>(bitcast<u32>(_e332.member_1[0]), bitcast<u32>(_e332.member_1[1]), bitcast<u32>(_e332.member_1[2]), (_e96.member_3 | select(0u, 2147483648u, ((_e109 - _e96.member_2) < (_e96.member_3 - _e109))))));
+    let _e425 = (_e54 - 1u);
+    let _e427 = local;
+    let _e430 = local_1;
+    let _e433 = local_2;
+    let _e436 = local_3;
+    let _e440 = function_((_e126.member >= _e425), 1u);
+    let _e443 = function_((_e126.member_1 >= _e425), 2u);
+    let _e450 = function_(((_e139 - _e126.member_2) < (_e126.member_3 - _e139)), 4u);
+    phi_675_ = type_9(0u, 2u);
+    loop {
+        let _e456 = phi_675_;
+        let _e459 = (_e456.member < _e456.member_1);
+        let _e470 = select(type_9().member_1, _e456.member, _e459);
+        let _e472 = (bitcast<i32>(select(0u, 1u, _e459)) != 0i);
+        if _e472 {
+            if ((_e35 / 128u) == _e470) {
+                let _e475 = (_e35 % 128u);
+                words[((8u * _e475) + (_e475 % 8u))][0u] = bitcast<u32>(_e427.member[0]);
+                words[((8u * _e475) + (_e475 % 8u))][1u] = bitcast<u32>(_e427.member[1]);
+                words[((8u * _e475) + (1u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e427.member[2]);
+                words[((8u * _e475) + (1u ^ (_e475 % 8u)))][1u] = 0u;
+                words[((8u * _e475) + (2u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e430.member_1[0]);
+                words[((8u * _e475) + (2u ^ (_e475 % 8u)))][1u] = bitcast<u32>(_e430.member_1[1]);
+                words[((8u * _e475) + (3u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e430.member_1[2]);
+                words[((8u * _e475) + (3u ^ (_e475 % 8u)))][1u] = 0u;
+                words[((8u * _e475) + (4u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e433.member[0]);
+                words[((8u * _e475) + (4u ^ (_e475 % 8u)))][1u] = bitcast<u32>(_e433.member[1]);
+                words[((8u * _e475) + (5u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e433.member[2]);
+                words[((8u * _e475) + (5u ^ (_e475 % 8u)))][1u] = _e139;
+                words[((8u * _e475) + (6u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e436.member_1[0]);
+                words[((8u * _e475) + (6u ^ (_e475 % 8u)))][1u] = bitcast<u32>(_e436.member_1[1]);
+                words[((8u * _e475) + (7u ^ (_e475 % 8u)))][0u] = bitcast<u32>(_e436.member_1[2]);
+                words[((8u * _e475) + (7u ^ (_e475 % 8u)))][1u] = select(((_e440 | _e443) | _e450), 4294967295u, select(true, select(true, false, _e132), _e116));
+            }
+            workgroupBarrier();
+            phi_795_ = type_9(0u, 4u);
+            loop {
+                let _e556 = phi_795_;
+                let _e559 = (_e556.member < _e556.member_1);
+                let _e572 = (bitcast<i32>(select(0u, 1u, _e559)) != 0i);
+                if _e572 {
+                    let _e574 = ((select(type_9().member_1, _e556.member, _e559) * 256u) + _e35);
+                    let _e575 = (_e574 / 8u);
+                    let _e582 = words[((8u * _e575) + (7u ^ (_e575 % 8u)))][1u];
+                    if (_e582 != 4294967295u) {
+                        let _e588 = (_e574 / 8u);
+                        let _e596 = words[((8u * _e588) + ((_e574 % 8u) ^ (_e588 % 8u)))][0u];
+                        let _e598 = words[((8u * _e588) + ((_e574 % 8u) ^ (_e588 % 8u)))][1u];
+                        nodes.member[(((_e46 + (_e470 * 128u)) * 8u) + _e574)][0u] = _e596;
+                        nodes.member[(((_e46 + (_e470 * 128u)) * 8u) + _e574)][1u] = _e598;
+                    }
+                }
+                continue;
+                continuing {
+                    phi_795_ = type_9(select(_e556.member, (_e556.member + 1u), _e559), select(_e556.member_1, _e556.member_1, _e559));
+                    break if !(_e572);
+                }
+            }
+            workgroupBarrier();
+        }
+        continue;
+        continuing {
+            phi_675_ = type_9(select(_e456.member, (_e456.member + 1u), _e459), select(_e456.member_1, _e456.member_1, _e459));
+            break if !(_e472);
         }
     }
-    if _e86 {
-        if _e102 {
-            phi_603_ = 0u;
+    if _e116 {
+        if _e132 {
+            phi_870_ = 0u;
         } else {
-            let _e368 = atomicAdd((&counters[0u]), 1u);
-            phi_603_ = _e368;
+            let _e605 = atomicAdd((&counters[0u]), 1u);
+            phi_870_ = _e605;
         }
-        let _e370 = phi_603_;
-        phi_604_ = _e370;
+        let _e607 = phi_870_;
+        phi_871_ = _e607;
     } else {
-        phi_604_ = 0u;
+        phi_871_ = 0u;
     }
-    let _e372 = phi_604_;
+    let _e609 = phi_871_;
     workgroupBarrier();
-    if (_e25 == 0u) {
-        let _e375 = atomicLoad((&counters[0u]));
-        if (_e375 > 0u) {
-            let _e378 = atomicAdd((&far.member[0u]), _e375);
-            atomicStore((&counters[1u]), _e378);
+    if (_e35 == 0u) {
+        let _e612 = atomicLoad((&counters[0u]));
+        if (_e612 > 0u) {
+            let _e615 = atomicAdd((&far.member[0u]), _e612);
+            atomicStore((&counters[1u]), _e615);
         }
     }
     workgroupBarrier();
-    if _e86 {
-        if _e102 {
+    if _e116 {
+        if _e132 {
         } else {
-            let _e381 = atomicLoad((&counters[1u]));
-            atomicStore((&far.member[(4u + (_e381 + _e372))]), _e37);
+            let _e618 = atomicLoad((&counters[1u]));
+            atomicStore((&far.member[(4u + (_e618 + _e609))]), _e47);
         }
     }
     return;
@@ -301,5 +422,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(256, 1, 1) 
 fn near_nodes(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_1(id, n, lane);
 }

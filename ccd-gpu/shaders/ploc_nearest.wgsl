@@ -40,12 +40,12 @@ struct type_16 {
     member_1: array<f32, 3>,
 }
 
-struct type_18 {
+struct type_17 {
     member: u32,
     member_1: f32,
 }
 
-struct type_19 {
+struct type_18 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -53,29 +53,29 @@ struct type_19 {
     member_4: u32,
 }
 
-struct type_20 {
+struct type_19 {
     member: type_7,
     member_1: type_8,
-    member_2: type_19,
+    member_2: type_18,
+}
+
+struct type_20 {
+    member: type_19,
 }
 
 struct type_21 {
-    member: type_20,
-}
-
-struct type_22 {
     member: vec4<u32>,
     member_1: vec4<u32>,
 }
 
-struct type_24 {
-    member: array<type_22>,
+struct type_23 {
+    member: array<type_21>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_21;
+var<storage> params: type_20;
 @group(0) @binding(1) 
-var<storage> clusters: type_24;
+var<storage> clusters: type_23;
 @group(0) @binding(2) 
 var<storage, read_write> neighbours: type_11;
 @group(0) @binding(3) 
@@ -90,11 +90,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_244_: u32;
     var phi_255_: u32;
     var phi_293_: type_9;
-    var phi_296_: type_18;
+    var phi_296_: type_17;
     var phi_420_: bool;
-    var phi_426_: type_18;
-    var phi_297_: type_18;
-    var local: type_18;
+    var phi_426_: type_17;
+    var phi_297_: type_17;
+    var local: type_17;
     var phi_428_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -172,7 +172,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e156 = near[(_e45 + _e26)];
             let _e169 = ((_e47 + _e45) + 1u);
             phi_293_ = type_9((_e47 - select(_e45, _e47, (_e47 < _e45))), select(_e169, _e42, (_e42 < _e169)));
-            phi_296_ = type_18(_e47, 300000000000000000000000000000000000000f);
+            phi_296_ = type_17(_e47, 300000000000000000000000000000000000000f);
             loop {
                 let _e175 = phi_293_;
                 let _e177 = phi_296_;
@@ -193,14 +193,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_420_ = select(false, select(((_e47 ^ _e191) < (_e47 ^ _e177.member)), true, (_e177.member == _e47)), (_e226 == _e177.member_1));
                         }
                         let _e240 = phi_420_;
-                        phi_426_ = type_18(select(_e177.member, _e191, _e240), select(_e177.member_1, _e226, _e240));
+                        phi_426_ = type_17(select(_e177.member, _e191, _e240), select(_e177.member_1, _e226, _e240));
                     } else {
                         phi_426_ = _e177;
                     }
                     let _e247 = phi_426_;
                     phi_297_ = _e247;
                 } else {
-                    phi_297_ = type_18();
+                    phi_297_ = type_17();
                 }
                 let _e249 = phi_297_;
                 continue;

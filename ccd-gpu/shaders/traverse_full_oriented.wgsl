@@ -87,13 +87,17 @@ struct type_30 {
 }
 
 struct type_32 {
-    member: array<u32, 31>,
+    member: array<u32, 47>,
     member_1: u32,
-    member_2: u32,
-    member_3: bool,
 }
 
-struct type_35 {
+struct type_33 {
+    member: type_32,
+    member_1: u32,
+    member_2: bool,
+}
+
+struct type_36 {
     member: array<atomic<u32>>,
 }
 
@@ -108,17 +112,21 @@ var<storage> boxes: type_20;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(5) 
-var<storage, read_write> pairs: type_35;
+var<storage, read_write> pairs: type_36;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+fn function_(param: u32) -> u32 {
+    return param;
+}
+
+fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_26;
-    var local_1: type_32;
-    var phi_176_: u32;
-    var phi_400_: type_9;
-    var phi_2267_: bool;
-    var phi_2437_: bool;
-    var phi_2438_: bool;
-    var phi_2644_: bool;
+    var local_1: type_33;
+    var phi_180_: u32;
+    var phi_424_: type_9;
+    var phi_2291_: bool;
+    var phi_2430_: bool;
+    var phi_2431_: bool;
+    var phi_2645_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -126,81 +134,81 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e34 = id_2;
-    let _e35 = n_2;
-    let _e36 = lane_2;
-    let _e49 = ((((_e34.y * _e35.x) + _e34.x) * 128u) + _e36);
-    let _e52 = params.member.member_1.member;
-    if (_e49 < _e52) {
-        let _e56 = params.member.member_2.member;
-        let _e62 = params.member.member.member_2[select(1u, 0u, (_e56 == 0u))];
-        let _e65 = params.member.member_1.member_1;
-        let _e67 = ((_e62 + _e65) + _e49);
-        let _e70 = params.member.member_2.member_1;
-        if (_e70 == 0u) {
-            phi_176_ = _e67;
+    let _e31 = id_2;
+    let _e32 = n_2;
+    let _e33 = lane_2;
+    let _e46 = ((((_e31.y * _e32.x) + _e31.x) * 128u) + _e33);
+    let _e49 = params.member.member_1.member;
+    if (_e46 < _e49) {
+        let _e53 = params.member.member_2.member;
+        let _e59 = params.member.member.member_2[select(1u, 0u, (_e53 == 0u))];
+        let _e62 = params.member.member_1.member_1;
+        let _e64 = ((_e59 + _e62) + _e46);
+        let _e67 = params.member.member_2.member_1;
+        if (_e67 == 0u) {
+            phi_180_ = _e64;
         } else {
-            let _e73 = order.member[_e67];
-            phi_176_ = _e73;
+            let _e70 = order.member[_e64];
+            phi_180_ = _e70;
         }
-        let _e75 = phi_176_;
-        let _e76 = (_e75 - _e62);
-        let _e78 = boxes.member[_e75];
-        let _e93 = params.member.member_2.member;
-        let _e95 = select(1u, 2u, (_e93 == 0u));
-        let _e99 = params.member.member.member_2[_e95];
-        let _e103 = params.member.member.member[_e95];
-        let _e104 = (_e103 - 1u);
-        if (_e104 == 0u) {
-            let _e108 = params.member.member_2.member;
-            let _e114 = params.member.member.member_2[select(1u, 2u, (_e108 == 0u))];
-            let _e116 = order.member[_e114];
-            let _e118 = boxes.member[_e116];
-            if ((((((_e118.member.x <= _e78.member_1.y) && (_e78.member.x <= _e118.member_1.y)) && (_e118.member.y <= _e78.member_2.x)) && (_e78.member.y <= _e118.member_2.x)) && (_e118.member_1.x <= _e78.member_2.y)) && (_e78.member_1.x <= _e118.member_2.y)) {
-                let _e144 = params.member.member_2.member;
-                let _e150 = params.member.member.member_2[select(1u, 2u, (_e144 == 0u))];
-                let _e152 = order.member[_e150];
-                let _e153 = (_e152 - _e150);
-                let _e156 = params.member.member_2.member;
-                if select((_e153 > _e76), true, (_e156 == 0u)) {
-                    let _e162 = params.member.member_1.member_3;
-                    let _e164 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e164 + 1u) < _e164) {
-                        let _e168 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e72 = phi_180_;
+        let _e73 = (_e72 - _e59);
+        let _e75 = boxes.member[_e72];
+        let _e90 = params.member.member_2.member;
+        let _e92 = select(1u, 2u, (_e90 == 0u));
+        let _e96 = params.member.member.member_2[_e92];
+        let _e100 = params.member.member.member[_e92];
+        let _e101 = (_e100 - 1u);
+        if (_e101 == 0u) {
+            let _e105 = params.member.member_2.member;
+            let _e111 = params.member.member.member_2[select(1u, 2u, (_e105 == 0u))];
+            let _e113 = order.member[_e111];
+            let _e115 = boxes.member[_e113];
+            if ((((((_e115.member.x <= _e75.member_1.y) && (_e75.member.x <= _e115.member_1.y)) && (_e115.member.y <= _e75.member_2.x)) && (_e75.member.y <= _e115.member_2.x)) && (_e115.member_1.x <= _e75.member_2.y)) && (_e75.member_1.x <= _e115.member_2.y)) {
+                let _e141 = params.member.member_2.member;
+                let _e147 = params.member.member.member_2[select(1u, 2u, (_e141 == 0u))];
+                let _e149 = order.member[_e147];
+                let _e150 = (_e149 - _e147);
+                let _e153 = params.member.member_2.member;
+                if select((_e150 > _e73), true, (_e153 == 0u)) {
+                    let _e159 = params.member.member_1.member_3;
+                    let _e161 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e161 + 1u) < _e161) {
+                        let _e165 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e164 < _e162) {
-                        let _e170 = (2u * _e164);
-                        atomicStore((&pairs.member[(4u + _e170)]), _e76);
-                        atomicStore((&pairs.member[(_e170 + 5u)]), _e153);
+                    if (_e161 < _e159) {
+                        let _e167 = (2u * _e161);
+                        atomicStore((&pairs.member[(4u + _e167)]), _e73);
+                        atomicStore((&pairs.member[(_e167 + 5u)]), _e150);
                     }
                 }
             }
         }
-        local_1 = type_32(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_400_ = type_9(0u, _e104);
+        local_1 = type_33(type_32(array<u32, 47>(u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32()), 0u), 0u, true);
+        phi_424_ = type_9(0u, _e101);
         loop {
-            let _e177 = phi_400_;
+            let _e177 = phi_424_;
             let _e180 = (_e177.member < _e177.member_1);
             if (bitcast<i32>(select(0u, 1u, _e180)) != 0i) {
-                let _e193 = local_1.member_3;
+                let _e193 = local_1.member_2;
                 if _e193 {
-                    let _e195 = local_1.member_2;
-                    let _e198 = oriented.member[(_e99 + _e195)];
-                    let _e235 = ((_e78.member.x * 0.5f) + (_e78.member_1.y * 0.5f));
-                    let _e236 = ((_e78.member.y * 0.5f) + (_e78.member_2.x * 0.5f));
-                    let _e237 = ((_e78.member_1.x * 0.5f) + (_e78.member_2.y * 0.5f));
-                    let _e239 = select(_e78.member_1.y, _e235, (_e235 < _e78.member_1.y));
-                    let _e241 = select(_e78.member_2.x, _e236, (_e236 < _e78.member_2.x));
-                    let _e243 = select(_e78.member_2.y, _e237, (_e237 < _e78.member_2.y));
-                    let _e245 = select(_e78.member.x, _e239, (_e239 > _e78.member.x));
-                    let _e247 = select(_e78.member.y, _e241, (_e241 > _e78.member.y));
-                    let _e249 = select(_e78.member_1.x, _e243, (_e243 > _e78.member_1.x));
-                    let _e250 = (_e78.member_1.y - _e245);
-                    let _e251 = (_e78.member_2.x - _e247);
-                    let _e252 = (_e78.member_2.y - _e249);
-                    let _e253 = (_e245 - _e78.member.x);
-                    let _e254 = (_e247 - _e78.member.y);
-                    let _e255 = (_e249 - _e78.member_1.x);
+                    let _e195 = local_1.member_1;
+                    let _e198 = oriented.member[(_e96 + _e195)];
+                    let _e235 = ((_e75.member.x * 0.5f) + (_e75.member_1.y * 0.5f));
+                    let _e236 = ((_e75.member.y * 0.5f) + (_e75.member_2.x * 0.5f));
+                    let _e237 = ((_e75.member_1.x * 0.5f) + (_e75.member_2.y * 0.5f));
+                    let _e239 = select(_e75.member_1.y, _e235, (_e235 < _e75.member_1.y));
+                    let _e241 = select(_e75.member_2.x, _e236, (_e236 < _e75.member_2.x));
+                    let _e243 = select(_e75.member_2.y, _e237, (_e237 < _e75.member_2.y));
+                    let _e245 = select(_e75.member.x, _e239, (_e239 > _e75.member.x));
+                    let _e247 = select(_e75.member.y, _e241, (_e241 > _e75.member.y));
+                    let _e249 = select(_e75.member_1.x, _e243, (_e243 > _e75.member_1.x));
+                    let _e250 = (_e75.member_1.y - _e245);
+                    let _e251 = (_e75.member_2.x - _e247);
+                    let _e252 = (_e75.member_2.y - _e249);
+                    let _e253 = (_e245 - _e75.member.x);
+                    let _e254 = (_e247 - _e75.member.y);
+                    let _e255 = (_e249 - _e75.member_1.x);
                     let _e263 = (1f + (0.000000059604645f * 4f));
                     let _e267 = (0.000000000000000000000000000000000000011754944f * 8f);
                     let _e268 = ((select(_e253, _e250, (_e250 > _e253)) * _e263) + _e267);
@@ -239,7 +247,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e523 = select(_e515, _e521, (_e521 > _e515));
                     let _e527 = local.member_5;
                     if (select(_e523, _e519, (_e519 > _e523)) > _e527) {
-                        phi_2267_ = true;
+                        phi_2291_ = true;
                     } else {
                         let _e532 = local.member[1u][0u];
                         let _e535 = local.member_1[2u];
@@ -375,118 +383,120 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e1152 = select(_e1072, _e1004, (_e1004 > _e1072));
                         let _e1154 = select(_e1140, _e1152, (_e1152 > _e1140));
                         let _e1158 = local.member_5;
-                        phi_2267_ = (select(_e1154, _e1150, (_e1150 > _e1154)) > _e1158);
+                        phi_2291_ = (select(_e1154, _e1150, (_e1150 > _e1154)) > _e1158);
                     }
-                    let _e1161 = phi_2267_;
+                    let _e1161 = phi_2291_;
                     if !(_e1161) {
-                        let _e1178 = local_1.member_2;
-                        let _e1180 = nodes.member[_e1178];
-                        let _e1225 = ((((((bitcast<f32>(_e1180.member.x) <= _e78.member_1.y) && (_e78.member.x <= bitcast<f32>(_e1180.member_1.x))) && (bitcast<f32>(_e1180.member.y) <= _e78.member_2.x)) && (_e78.member.y <= bitcast<f32>(_e1180.member_1.y))) && (bitcast<f32>(_e1180.member.z) <= _e78.member_2.y)) && (_e78.member_1.x <= bitcast<f32>(_e1180.member_1.z)));
-                        let _e1236 = ((((((bitcast<f32>(_e1180.member_2.x) <= _e78.member_1.y) && (_e78.member.x <= bitcast<f32>(_e1180.member_3.x))) && (bitcast<f32>(_e1180.member_2.y) <= _e78.member_2.x)) && (_e78.member.y <= bitcast<f32>(_e1180.member_3.y))) && (bitcast<f32>(_e1180.member_2.z) <= _e78.member_2.y)) && (_e78.member_1.x <= bitcast<f32>(_e1180.member_3.z)));
-                        let _e1238 = ((_e1180.member.w & 2147483648u) != 0u);
-                        let _e1240 = ((_e1180.member_1.w & 2147483648u) != 0u);
-                        let _e1246 = select(select(u32(), select(u32(), (_e1180.member.w & 2147483647u), _e1238), _e1225), 4294967295u, select(true, select(true, false, _e1238), _e1225));
-                        let _e1252 = select(select(u32(), select(u32(), (_e1180.member_1.w & 2147483647u), _e1240), _e1236), 4294967295u, select(true, select(true, false, _e1240), _e1236));
-                        let _e1254 = select(false, !(_e1238), _e1225);
-                        let _e1256 = select(false, !(_e1240), _e1236);
-                        if _e1254 {
-                            if _e1256 {
-                                let _e1258 = ((_e1180.member_3.w & 2147483648u) != 0u);
-                                let _e1261 = local_1.member_1;
-                                local_1.member[_e1261] = select(_e1180.member.w, _e1180.member_1.w, _e1258);
-                                let _e1266 = local_1.member_1;
-                                local_1.member_1 = (_e1266 + 1u);
-                                local_1.member_2 = select(_e1180.member_1.w, _e1180.member.w, _e1258);
-                                phi_2437_ = false;
+                        let _e1182 = local_1.member_1;
+                        let _e1184 = nodes.member[_e1182];
+                        let _e1227 = ((((((bitcast<f32>(_e1184.member.x) <= _e75.member_1.y) && (_e75.member.x <= bitcast<f32>(_e1184.member_1.x))) && (bitcast<f32>(_e1184.member.y) <= _e75.member_2.x)) && (_e75.member.y <= bitcast<f32>(_e1184.member_1.y))) && (bitcast<f32>(_e1184.member.z) <= _e75.member_2.y)) && (_e75.member_1.x <= bitcast<f32>(_e1184.member_1.z)));
+                        let _e1238 = ((((((bitcast<f32>(_e1184.member_2.x) <= _e75.member_1.y) && (_e75.member.x <= bitcast<f32>(_e1184.member_3.x))) && (bitcast<f32>(_e1184.member_2.y) <= _e75.member_2.x)) && (_e75.member.y <= bitcast<f32>(_e1184.member_3.y))) && (bitcast<f32>(_e1184.member_2.z) <= _e75.member_2.y)) && (_e75.member_1.x <= bitcast<f32>(_e1184.member_3.z)));
+                        let _e1240 = ((_e1184.member_3.w & 1u) != 0u);
+                        let _e1242 = ((_e1184.member_3.w & 2u) != 0u);
+                        let _e1243 = (_e1184.member_2.w + 1u);
+                        let _e1246 = select(_e1184.member_2.w, 4294967295u, select(true, select(true, false, _e1240), _e1227));
+                        let _e1249 = select(_e1243, 4294967295u, select(true, select(true, false, _e1242), _e1238));
+                        let _e1251 = select(false, !(_e1240), _e1227);
+                        let _e1253 = select(false, !(_e1242), _e1238);
+                        if _e1251 {
+                            if _e1253 {
+                                let _e1255 = ((_e1184.member_3.w & 4u) != 0u);
+                                let _e1258 = function_(select(_e1184.member_2.w, _e1243, _e1255));
+                                let _e1260 = local_1.member.member_1;
+                                local_1.member.member[_e1260] = _e1258;
+                                let _e1265 = local_1.member.member_1;
+                                local_1.member.member_1 = (_e1265 + 1u);
+                                local_1.member_1 = select(_e1243, _e1184.member_2.w, _e1255);
+                                phi_2430_ = false;
                             } else {
-                                phi_2437_ = true;
+                                phi_2430_ = true;
                             }
-                            let _e1271 = phi_2437_;
-                            phi_2438_ = _e1271;
+                            let _e1270 = phi_2430_;
+                            phi_2431_ = _e1270;
                         } else {
-                            phi_2438_ = true;
+                            phi_2431_ = true;
                         }
-                        let _e1273 = phi_2438_;
-                        if _e1273 {
-                            if _e1254 {
-                                local_1.member_2 = _e1180.member.w;
+                        let _e1272 = phi_2431_;
+                        if _e1272 {
+                            if _e1251 {
+                                local_1.member_1 = _e1184.member_2.w;
                             } else {
-                                if _e1256 {
-                                    local_1.member_2 = _e1180.member_1.w;
+                                if _e1253 {
+                                    local_1.member_1 = _e1243;
                                 } else {
-                                    let _e1275 = local_1.member_1;
-                                    if (_e1275 > 0u) {
-                                        let _e1280 = local_1.member_1;
-                                        local_1.member_1 = (_e1280 - 1u);
-                                        let _e1283 = local_1.member_1;
-                                        let _e1286 = local_1.member[_e1283];
-                                        local_1.member_2 = _e1286;
-                                    } else {
-                                        local_1.member_3 = false;
+                                    let _e1275 = local_1.member.member_1;
+                                    local_1.member_2 = (_e1275 > 0u);
+                                    let _e1279 = local_1.member_2;
+                                    if _e1279 {
+                                        let _e1283 = local_1.member.member_1;
+                                        local_1.member.member_1 = (_e1283 - 1u);
+                                        let _e1286 = local_1.member.member_1;
+                                        let _e1289 = local_1.member.member[_e1286];
+                                        local_1.member_1 = _e1289;
                                     }
                                 }
                             }
                         }
                         if (_e1246 != 4294967295u) {
-                            let _e1293 = params.member.member_2.member;
-                            let _e1299 = params.member.member.member_2[select(1u, 2u, (_e1293 == 0u))];
-                            let _e1302 = order.member[(_e1299 + _e1246)];
-                            let _e1303 = (_e1302 - _e1299);
-                            let _e1306 = params.member.member_2.member;
-                            if select((_e1303 > _e76), true, (_e1306 == 0u)) {
-                                let _e1312 = params.member.member_1.member_3;
-                                let _e1314 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1314 + 1u) < _e1314) {
-                                    let _e1318 = atomicAdd((&pairs.member[2u]), 1u);
+                            let _e1296 = params.member.member_2.member;
+                            let _e1302 = params.member.member.member_2[select(1u, 2u, (_e1296 == 0u))];
+                            let _e1305 = order.member[(_e1302 + _e1246)];
+                            let _e1306 = (_e1305 - _e1302);
+                            let _e1309 = params.member.member_2.member;
+                            if select((_e1306 > _e73), true, (_e1309 == 0u)) {
+                                let _e1315 = params.member.member_1.member_3;
+                                let _e1317 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1317 + 1u) < _e1317) {
+                                    let _e1321 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1314 < _e1312) {
-                                    let _e1320 = (2u * _e1314);
-                                    atomicStore((&pairs.member[(4u + _e1320)]), _e76);
-                                    atomicStore((&pairs.member[(_e1320 + 5u)]), _e1303);
+                                if (_e1317 < _e1315) {
+                                    let _e1323 = (2u * _e1317);
+                                    atomicStore((&pairs.member[(4u + _e1323)]), _e73);
+                                    atomicStore((&pairs.member[(_e1323 + 5u)]), _e1306);
                                 }
                             }
                         }
-                        if (_e1252 != 4294967295u) {
-                            let _e1328 = params.member.member_2.member;
-                            let _e1334 = params.member.member.member_2[select(1u, 2u, (_e1328 == 0u))];
-                            let _e1337 = order.member[(_e1334 + _e1252)];
-                            let _e1338 = (_e1337 - _e1334);
-                            let _e1341 = params.member.member_2.member;
-                            if select((_e1338 > _e76), true, (_e1341 == 0u)) {
-                                let _e1347 = params.member.member_1.member_3;
-                                let _e1349 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1349 + 1u) < _e1349) {
-                                    let _e1353 = atomicAdd((&pairs.member[2u]), 1u);
+                        if (_e1249 != 4294967295u) {
+                            let _e1331 = params.member.member_2.member;
+                            let _e1337 = params.member.member.member_2[select(1u, 2u, (_e1331 == 0u))];
+                            let _e1340 = order.member[(_e1337 + _e1249)];
+                            let _e1341 = (_e1340 - _e1337);
+                            let _e1344 = params.member.member_2.member;
+                            if select((_e1341 > _e73), true, (_e1344 == 0u)) {
+                                let _e1350 = params.member.member_1.member_3;
+                                let _e1352 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1352 + 1u) < _e1352) {
+                                    let _e1356 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1349 < _e1347) {
-                                    let _e1355 = (2u * _e1349);
-                                    atomicStore((&pairs.member[(4u + _e1355)]), _e76);
-                                    atomicStore((&pairs.member[(_e1355 + 5u)]), _e1338);
+                                if (_e1352 < _e1350) {
+                                    let _e1358 = (2u * _e1352);
+                                    atomicStore((&pairs.member[(4u + _e1358)]), _e73);
+                                    atomicStore((&pairs.member[(_e1358 + 5u)]), _e1341);
                                 }
                             }
                         }
                     } else {
-                        let _e1164 = local_1.member_1;
-                        if (_e1164 > 0u) {
-                            let _e1169 = local_1.member_1;
-                            local_1.member_1 = (_e1169 - 1u);
-                            let _e1172 = local_1.member_1;
-                            let _e1175 = local_1.member[_e1172];
-                            local_1.member_2 = _e1175;
-                        } else {
-                            local_1.member_3 = false;
+                        let _e1165 = local_1.member.member_1;
+                        local_1.member_2 = (_e1165 > 0u);
+                        let _e1169 = local_1.member_2;
+                        if _e1169 {
+                            let _e1173 = local_1.member.member_1;
+                            local_1.member.member_1 = (_e1173 - 1u);
+                            let _e1176 = local_1.member.member_1;
+                            let _e1179 = local_1.member.member[_e1176];
+                            local_1.member_1 = _e1179;
                         }
                     }
                 }
-                phi_2644_ = _e193;
+                phi_2645_ = _e193;
             } else {
-                phi_2644_ = false;
+                phi_2645_ = false;
             }
-            let _e1361 = phi_2644_;
+            let _e1364 = phi_2645_;
             continue;
             continuing {
-                phi_400_ = type_9(select(_e177.member, (_e177.member + 1u), _e180), select(_e177.member_1, _e177.member_1, _e180));
-                break if !(_e1361);
+                phi_424_ = type_9(select(_e177.member, (_e177.member + 1u), _e180), select(_e177.member_1, _e177.member_1, _e180));
+                break if !(_e1364);
             }
         }
     }
@@ -495,5 +505,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn traverse_full_oriented(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_1(id, n, lane);
 }

@@ -69,12 +69,16 @@ struct type_23 {
 struct type_25 {
     member: array<u32, 31>,
     member_1: u32,
-    member_2: u32,
-    member_3: bool,
-    member_4: bool,
 }
 
-struct type_28 {
+struct type_26 {
+    member: type_25,
+    member_1: u32,
+    member_2: bool,
+    member_3: bool,
+}
+
+struct type_29 {
     member: array<atomic<u32>>,
 }
 
@@ -87,15 +91,21 @@ var<storage> boxes: type_20;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(4) 
-var<storage, read_write> pairs: type_28;
+var<storage, read_write> pairs: type_29;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_25;
-    var phi_144_: u32;
-    var phi_370_: type_9;
-    var phi_520_: bool;
-    var phi_550_: bool;
-    var phi_673_: bool;
+fn function_(param: u32) -> u32 {
+    return param;
+}
+
+fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_26;
+    var phi_148_: u32;
+    var phi_378_: type_9;
+    var phi_530_: bool;
+    var phi_531_: bool;
+    var phi_532_: u32;
+    var phi_562_: bool;
+    var phi_684_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -103,142 +113,146 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e23 = id_2;
-    let _e24 = n_2;
-    let _e25 = lane_2;
-    let _e37 = ((((_e23.y * _e24.x) + _e23.x) * 128u) + _e25);
-    let _e40 = params.member.member_1.member;
-    if (_e37 < _e40) {
-        let _e44 = params.member.member_2.member;
-        let _e50 = params.member.member.member_2[select(1u, 0u, (_e44 == 0u))];
-        let _e53 = params.member.member_1.member_1;
-        let _e55 = ((_e50 + _e53) + _e37);
-        let _e58 = params.member.member_2.member_1;
-        if (_e58 == 0u) {
-            phi_144_ = _e55;
+    let _e20 = id_2;
+    let _e21 = n_2;
+    let _e22 = lane_2;
+    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 128u) + _e22);
+    let _e37 = params.member.member_1.member;
+    if (_e34 < _e37) {
+        let _e41 = params.member.member_2.member;
+        let _e47 = params.member.member.member_2[select(1u, 0u, (_e41 == 0u))];
+        let _e50 = params.member.member_1.member_1;
+        let _e52 = ((_e47 + _e50) + _e34);
+        let _e55 = params.member.member_2.member_1;
+        if (_e55 == 0u) {
+            phi_148_ = _e52;
         } else {
-            let _e61 = order.member[_e55];
-            phi_144_ = _e61;
+            let _e58 = order.member[_e52];
+            phi_148_ = _e58;
         }
-        let _e63 = phi_144_;
-        let _e64 = (_e63 - _e50);
-        let _e66 = boxes.member[_e63];
-        let _e81 = params.member.member_2.member;
-        let _e87 = params.member.member.member[select(1u, 2u, (_e81 == 0u))];
-        let _e88 = (_e87 - 1u);
-        if (_e88 == 0u) {
-            let _e92 = params.member.member_2.member;
-            let _e98 = params.member.member.member_2[select(1u, 2u, (_e92 == 0u))];
-            let _e100 = order.member[_e98];
-            let _e102 = boxes.member[_e100];
-            if ((((((_e102.member.x <= _e66.member_1.y) && (_e66.member.x <= _e102.member_1.y)) && (_e102.member.y <= _e66.member_2.x)) && (_e66.member.y <= _e102.member_2.x)) && (_e102.member_1.x <= _e66.member_2.y)) && (_e66.member_1.x <= _e102.member_2.y)) {
-                let _e128 = params.member.member_2.member;
-                let _e134 = params.member.member.member_2[select(1u, 2u, (_e128 == 0u))];
-                let _e136 = order.member[_e134];
-                let _e137 = (_e136 - _e134);
-                let _e140 = params.member.member_2.member;
-                if select((_e137 > _e64), true, (_e140 == 0u)) {
-                    let _e146 = params.member.member_1.member_3;
-                    let _e148 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e148 + 1u) < _e148) {
-                        let _e152 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e60 = phi_148_;
+        let _e61 = (_e60 - _e47);
+        let _e63 = boxes.member[_e60];
+        let _e78 = params.member.member_2.member;
+        let _e84 = params.member.member.member[select(1u, 2u, (_e78 == 0u))];
+        let _e85 = (_e84 - 1u);
+        if (_e85 == 0u) {
+            let _e89 = params.member.member_2.member;
+            let _e95 = params.member.member.member_2[select(1u, 2u, (_e89 == 0u))];
+            let _e97 = order.member[_e95];
+            let _e99 = boxes.member[_e97];
+            if ((((((_e99.member.x <= _e63.member_1.y) && (_e63.member.x <= _e99.member_1.y)) && (_e99.member.y <= _e63.member_2.x)) && (_e63.member.y <= _e99.member_2.x)) && (_e99.member_1.x <= _e63.member_2.y)) && (_e63.member_1.x <= _e99.member_2.y)) {
+                let _e125 = params.member.member_2.member;
+                let _e131 = params.member.member.member_2[select(1u, 2u, (_e125 == 0u))];
+                let _e133 = order.member[_e131];
+                let _e134 = (_e133 - _e131);
+                let _e137 = params.member.member_2.member;
+                if select((_e134 > _e61), true, (_e137 == 0u)) {
+                    let _e143 = params.member.member_1.member_3;
+                    let _e145 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e145 + 1u) < _e145) {
+                        let _e149 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e148 < _e146) {
-                        let _e154 = (2u * _e148);
-                        atomicStore((&pairs.member[(4u + _e154)]), _e64);
-                        atomicStore((&pairs.member[(_e154 + 5u)]), _e137);
+                    if (_e145 < _e143) {
+                        let _e151 = (2u * _e145);
+                        atomicStore((&pairs.member[(4u + _e151)]), _e61);
+                        atomicStore((&pairs.member[(_e151 + 5u)]), _e134);
                     }
                 }
             }
         }
-        local = type_25(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, false, true);
-        phi_370_ = type_9(0u, (2u * _e88));
+        local = type_26(type_25(array<u32, 31>(u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32()), 0u), 0u, false, true);
+        phi_378_ = type_9(0u, (2u * _e85));
         loop {
-            let _e162 = phi_370_;
+            let _e162 = phi_378_;
             let _e165 = (_e162.member < _e162.member_1);
             if (bitcast<i32>(select(0u, 1u, _e165)) != 0i) {
-                let _e178 = local.member_4;
+                let _e178 = local.member_3;
                 if _e178 {
-                    let _e180 = local.member_2;
+                    let _e180 = local.member_1;
                     let _e182 = nodes.member[_e180];
-                    let _e220 = local.member_3;
-                    let _e221 = (((_e182.member_3.w & 2147483648u) != 0u) != _e220);
-                    let _e222 = select(_e182.member_1.w, _e182.member.w, _e221);
-                    if _e221 {
-                        phi_520_ = ((((((bitcast<f32>(_e182.member.x) <= _e66.member_1.y) && (_e66.member.x <= bitcast<f32>(_e182.member_1.x))) && (bitcast<f32>(_e182.member.y) <= _e66.member_2.x)) && (_e66.member.y <= bitcast<f32>(_e182.member_1.y))) && (bitcast<f32>(_e182.member.z) <= _e66.member_2.y)) && (_e66.member_1.x <= bitcast<f32>(_e182.member_1.z)));
+                    let _e218 = local.member_2;
+                    if (((_e182.member_3.w & 4u) != 0u) != _e218) {
+                        phi_530_ = ((_e182.member_3.w & 1u) != 0u);
+                        phi_531_ = ((((((bitcast<f32>(_e182.member.x) <= _e63.member_1.y) && (_e63.member.x <= bitcast<f32>(_e182.member_1.x))) && (bitcast<f32>(_e182.member.y) <= _e63.member_2.x)) && (_e63.member.y <= bitcast<f32>(_e182.member_1.y))) && (bitcast<f32>(_e182.member.z) <= _e63.member_2.y)) && (_e63.member_1.x <= bitcast<f32>(_e182.member_1.z)));
+                        phi_532_ = _e182.member_2.w;
                     } else {
-                        phi_520_ = ((((((bitcast<f32>(_e182.member_2.x) <= _e66.member_1.y) && (_e66.member.x <= bitcast<f32>(_e182.member_3.x))) && (bitcast<f32>(_e182.member_2.y) <= _e66.member_2.x)) && (_e66.member.y <= bitcast<f32>(_e182.member_3.y))) && (bitcast<f32>(_e182.member_2.z) <= _e66.member_2.y)) && (_e66.member_1.x <= bitcast<f32>(_e182.member_3.z)));
+                        phi_530_ = ((_e182.member_3.w & 2u) != 0u);
+                        phi_531_ = ((((((bitcast<f32>(_e182.member_2.x) <= _e63.member_1.y) && (_e63.member.x <= bitcast<f32>(_e182.member_3.x))) && (bitcast<f32>(_e182.member_2.y) <= _e63.member_2.x)) && (_e63.member.y <= bitcast<f32>(_e182.member_3.y))) && (bitcast<f32>(_e182.member_2.z) <= _e63.member_2.y)) && (_e63.member_1.x <= bitcast<f32>(_e182.member_3.z)));
+                        phi_532_ = (_e182.member_2.w + 1u);
                     }
-                    let _e246 = phi_520_;
-                    let _e248 = ((_e222 & 2147483648u) != 0u);
-                    if _e246 {
+                    let _e248 = phi_530_;
+                    let _e250 = phi_531_;
+                    let _e252 = phi_532_;
+                    if _e250 {
                         if _e248 {
                         } else {
-                            let _e250 = local.member_3;
-                            if _e250 {
+                            let _e254 = local.member_2;
+                            if _e254 {
                             } else {
-                                let _e252 = local.member_2;
-                                let _e254 = local.member_1;
-                                local.member[_e254] = _e252;
-                                let _e259 = local.member_1;
-                                local.member_1 = (_e259 + 1u);
+                                let _e256 = local.member_1;
+                                let _e258 = function_(_e256);
+                                let _e260 = local.member.member_1;
+                                local.member.member[_e260] = _e258;
+                                let _e265 = local.member.member_1;
+                                local.member.member_1 = (_e265 + 1u);
                             }
-                            local.member_2 = _e222;
-                            local.member_3 = false;
+                            local.member_1 = _e252;
+                            local.member_2 = false;
                         }
-                        phi_550_ = _e248;
+                        phi_562_ = _e248;
                     } else {
-                        phi_550_ = true;
+                        phi_562_ = true;
                     }
-                    let _e264 = phi_550_;
-                    if _e264 {
-                        let _e266 = local.member_3;
-                        if _e266 {
-                            let _e269 = local.member_1;
-                            if (_e269 > 0u) {
-                                let _e274 = local.member_1;
-                                local.member_1 = (_e274 - 1u);
-                                let _e277 = local.member_1;
-                                let _e280 = local.member[_e277];
-                                local.member_2 = _e280;
-                                local.member_3 = true;
+                    let _e270 = phi_562_;
+                    if _e270 {
+                        let _e272 = local.member_2;
+                        if _e272 {
+                            let _e276 = local.member.member_1;
+                            if (_e276 > 0u) {
+                                let _e282 = local.member.member_1;
+                                local.member.member_1 = (_e282 - 1u);
+                                let _e285 = local.member.member_1;
+                                let _e288 = local.member.member[_e285];
+                                local.member_1 = _e288;
+                                local.member_2 = true;
                             } else {
-                                local.member_4 = false;
+                                local.member_3 = false;
                             }
                         } else {
-                            local.member_3 = true;
+                            local.member_2 = true;
                         }
                     }
-                    let _e288 = select(select(u32(), select(u32(), (_e222 & 2147483647u), _e248), _e246), 4294967295u, select(true, select(true, false, _e248), _e246));
-                    if (_e288 != 4294967295u) {
-                        let _e292 = params.member.member_2.member;
-                        let _e298 = params.member.member.member_2[select(1u, 2u, (_e292 == 0u))];
-                        let _e301 = order.member[(_e298 + _e288)];
-                        let _e302 = (_e301 - _e298);
-                        let _e305 = params.member.member_2.member;
-                        if select((_e302 > _e64), true, (_e305 == 0u)) {
-                            let _e311 = params.member.member_1.member_3;
-                            let _e313 = atomicAdd((&pairs.member[0u]), 1u);
-                            if ((_e313 + 1u) < _e313) {
-                                let _e317 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e293 = select(_e252, 4294967295u, select(true, select(true, false, _e248), _e250));
+                    if (_e293 != 4294967295u) {
+                        let _e297 = params.member.member_2.member;
+                        let _e303 = params.member.member.member_2[select(1u, 2u, (_e297 == 0u))];
+                        let _e306 = order.member[(_e303 + _e293)];
+                        let _e307 = (_e306 - _e303);
+                        let _e310 = params.member.member_2.member;
+                        if select((_e307 > _e61), true, (_e310 == 0u)) {
+                            let _e316 = params.member.member_1.member_3;
+                            let _e318 = atomicAdd((&pairs.member[0u]), 1u);
+                            if ((_e318 + 1u) < _e318) {
+                                let _e322 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            if (_e313 < _e311) {
-                                let _e319 = (2u * _e313);
-                                atomicStore((&pairs.member[(4u + _e319)]), _e64);
-                                atomicStore((&pairs.member[(_e319 + 5u)]), _e302);
+                            if (_e318 < _e316) {
+                                let _e324 = (2u * _e318);
+                                atomicStore((&pairs.member[(4u + _e324)]), _e61);
+                                atomicStore((&pairs.member[(_e324 + 5u)]), _e307);
                             }
                         }
                     }
                 }
-                phi_673_ = _e178;
+                phi_684_ = _e178;
             } else {
-                phi_673_ = false;
+                phi_684_ = false;
             }
-            let _e325 = phi_673_;
+            let _e330 = phi_684_;
             continue;
             continuing {
-                phi_370_ = type_9(select(_e162.member, (_e162.member + 1u), _e165), select(_e162.member_1, _e162.member_1, _e165));
-                break if !(_e325);
+                phi_378_ = type_9(select(_e162.member, (_e162.member + 1u), _e165), select(_e162.member_1, _e162.member_1, _e165));
+                break if !(_e330);
             }
         }
     }
@@ -247,5 +261,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn traverse_recursive(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_1(id, n, lane);
 }

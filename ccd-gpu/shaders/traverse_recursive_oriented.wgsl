@@ -89,12 +89,16 @@ struct type_30 {
 struct type_32 {
     member: array<u32, 31>,
     member_1: u32,
-    member_2: u32,
-    member_3: bool,
-    member_4: bool,
 }
 
-struct type_35 {
+struct type_33 {
+    member: type_32,
+    member_1: u32,
+    member_2: bool,
+    member_3: bool,
+}
+
+struct type_36 {
     member: array<atomic<u32>>,
 }
 
@@ -109,18 +113,24 @@ var<storage> boxes: type_20;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(5) 
-var<storage, read_write> pairs: type_35;
+var<storage, read_write> pairs: type_36;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+fn function_(param: u32) -> u32 {
+    return param;
+}
+
+fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_26;
-    var local_1: type_32;
-    var phi_176_: u32;
-    var phi_402_: type_9;
-    var phi_2275_: bool;
-    var phi_2302_: bool;
-    var phi_2383_: bool;
-    var phi_2413_: bool;
-    var phi_2536_: bool;
+    var local_1: type_33;
+    var phi_180_: u32;
+    var phi_410_: type_9;
+    var phi_2283_: bool;
+    var phi_2312_: bool;
+    var phi_2393_: bool;
+    var phi_2394_: bool;
+    var phi_2395_: u32;
+    var phi_2425_: bool;
+    var phi_2547_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -128,83 +138,83 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e34 = id_2;
-    let _e35 = n_2;
-    let _e36 = lane_2;
-    let _e49 = ((((_e34.y * _e35.x) + _e34.x) * 128u) + _e36);
-    let _e52 = params.member.member_1.member;
-    if (_e49 < _e52) {
-        let _e56 = params.member.member_2.member;
-        let _e62 = params.member.member.member_2[select(1u, 0u, (_e56 == 0u))];
-        let _e65 = params.member.member_1.member_1;
-        let _e67 = ((_e62 + _e65) + _e49);
-        let _e70 = params.member.member_2.member_1;
-        if (_e70 == 0u) {
-            phi_176_ = _e67;
+    let _e31 = id_2;
+    let _e32 = n_2;
+    let _e33 = lane_2;
+    let _e46 = ((((_e31.y * _e32.x) + _e31.x) * 128u) + _e33);
+    let _e49 = params.member.member_1.member;
+    if (_e46 < _e49) {
+        let _e53 = params.member.member_2.member;
+        let _e59 = params.member.member.member_2[select(1u, 0u, (_e53 == 0u))];
+        let _e62 = params.member.member_1.member_1;
+        let _e64 = ((_e59 + _e62) + _e46);
+        let _e67 = params.member.member_2.member_1;
+        if (_e67 == 0u) {
+            phi_180_ = _e64;
         } else {
-            let _e73 = order.member[_e67];
-            phi_176_ = _e73;
+            let _e70 = order.member[_e64];
+            phi_180_ = _e70;
         }
-        let _e75 = phi_176_;
-        let _e76 = (_e75 - _e62);
-        let _e78 = boxes.member[_e75];
-        let _e93 = params.member.member_2.member;
-        let _e95 = select(1u, 2u, (_e93 == 0u));
-        let _e99 = params.member.member.member_2[_e95];
-        let _e103 = params.member.member.member[_e95];
-        let _e104 = (_e103 - 1u);
-        if (_e104 == 0u) {
-            let _e108 = params.member.member_2.member;
-            let _e114 = params.member.member.member_2[select(1u, 2u, (_e108 == 0u))];
-            let _e116 = order.member[_e114];
-            let _e118 = boxes.member[_e116];
-            if ((((((_e118.member.x <= _e78.member_1.y) && (_e78.member.x <= _e118.member_1.y)) && (_e118.member.y <= _e78.member_2.x)) && (_e78.member.y <= _e118.member_2.x)) && (_e118.member_1.x <= _e78.member_2.y)) && (_e78.member_1.x <= _e118.member_2.y)) {
-                let _e144 = params.member.member_2.member;
-                let _e150 = params.member.member.member_2[select(1u, 2u, (_e144 == 0u))];
-                let _e152 = order.member[_e150];
-                let _e153 = (_e152 - _e150);
-                let _e156 = params.member.member_2.member;
-                if select((_e153 > _e76), true, (_e156 == 0u)) {
-                    let _e162 = params.member.member_1.member_3;
-                    let _e164 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e164 + 1u) < _e164) {
-                        let _e168 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e72 = phi_180_;
+        let _e73 = (_e72 - _e59);
+        let _e75 = boxes.member[_e72];
+        let _e90 = params.member.member_2.member;
+        let _e92 = select(1u, 2u, (_e90 == 0u));
+        let _e96 = params.member.member.member_2[_e92];
+        let _e100 = params.member.member.member[_e92];
+        let _e101 = (_e100 - 1u);
+        if (_e101 == 0u) {
+            let _e105 = params.member.member_2.member;
+            let _e111 = params.member.member.member_2[select(1u, 2u, (_e105 == 0u))];
+            let _e113 = order.member[_e111];
+            let _e115 = boxes.member[_e113];
+            if ((((((_e115.member.x <= _e75.member_1.y) && (_e75.member.x <= _e115.member_1.y)) && (_e115.member.y <= _e75.member_2.x)) && (_e75.member.y <= _e115.member_2.x)) && (_e115.member_1.x <= _e75.member_2.y)) && (_e75.member_1.x <= _e115.member_2.y)) {
+                let _e141 = params.member.member_2.member;
+                let _e147 = params.member.member.member_2[select(1u, 2u, (_e141 == 0u))];
+                let _e149 = order.member[_e147];
+                let _e150 = (_e149 - _e147);
+                let _e153 = params.member.member_2.member;
+                if select((_e150 > _e73), true, (_e153 == 0u)) {
+                    let _e159 = params.member.member_1.member_3;
+                    let _e161 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e161 + 1u) < _e161) {
+                        let _e165 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e164 < _e162) {
-                        let _e170 = (2u * _e164);
-                        atomicStore((&pairs.member[(4u + _e170)]), _e76);
-                        atomicStore((&pairs.member[(_e170 + 5u)]), _e153);
+                    if (_e161 < _e159) {
+                        let _e167 = (2u * _e161);
+                        atomicStore((&pairs.member[(4u + _e167)]), _e73);
+                        atomicStore((&pairs.member[(_e167 + 5u)]), _e150);
                     }
                 }
             }
         }
-        local_1 = type_32(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, false, true);
-        phi_402_ = type_9(0u, (2u * _e104));
+        local_1 = type_33(type_32(array<u32, 31>(u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32()), 0u), 0u, false, true);
+        phi_410_ = type_9(0u, (2u * _e101));
         loop {
-            let _e178 = phi_402_;
+            let _e178 = phi_410_;
             let _e181 = (_e178.member < _e178.member_1);
             if (bitcast<i32>(select(0u, 1u, _e181)) != 0i) {
-                let _e194 = local_1.member_4;
+                let _e194 = local_1.member_3;
                 if _e194 {
-                    let _e196 = local_1.member_3;
+                    let _e196 = local_1.member_2;
                     if !(_e196) {
-                        let _e199 = local_1.member_2;
-                        let _e202 = oriented.member[(_e99 + _e199)];
-                        let _e239 = ((_e78.member.x * 0.5f) + (_e78.member_1.y * 0.5f));
-                        let _e240 = ((_e78.member.y * 0.5f) + (_e78.member_2.x * 0.5f));
-                        let _e241 = ((_e78.member_1.x * 0.5f) + (_e78.member_2.y * 0.5f));
-                        let _e243 = select(_e78.member_1.y, _e239, (_e239 < _e78.member_1.y));
-                        let _e245 = select(_e78.member_2.x, _e240, (_e240 < _e78.member_2.x));
-                        let _e247 = select(_e78.member_2.y, _e241, (_e241 < _e78.member_2.y));
-                        let _e249 = select(_e78.member.x, _e243, (_e243 > _e78.member.x));
-                        let _e251 = select(_e78.member.y, _e245, (_e245 > _e78.member.y));
-                        let _e253 = select(_e78.member_1.x, _e247, (_e247 > _e78.member_1.x));
-                        let _e254 = (_e78.member_1.y - _e249);
-                        let _e255 = (_e78.member_2.x - _e251);
-                        let _e256 = (_e78.member_2.y - _e253);
-                        let _e257 = (_e249 - _e78.member.x);
-                        let _e258 = (_e251 - _e78.member.y);
-                        let _e259 = (_e253 - _e78.member_1.x);
+                        let _e199 = local_1.member_1;
+                        let _e202 = oriented.member[(_e96 + _e199)];
+                        let _e239 = ((_e75.member.x * 0.5f) + (_e75.member_1.y * 0.5f));
+                        let _e240 = ((_e75.member.y * 0.5f) + (_e75.member_2.x * 0.5f));
+                        let _e241 = ((_e75.member_1.x * 0.5f) + (_e75.member_2.y * 0.5f));
+                        let _e243 = select(_e75.member_1.y, _e239, (_e239 < _e75.member_1.y));
+                        let _e245 = select(_e75.member_2.x, _e240, (_e240 < _e75.member_2.x));
+                        let _e247 = select(_e75.member_2.y, _e241, (_e241 < _e75.member_2.y));
+                        let _e249 = select(_e75.member.x, _e243, (_e243 > _e75.member.x));
+                        let _e251 = select(_e75.member.y, _e245, (_e245 > _e75.member.y));
+                        let _e253 = select(_e75.member_1.x, _e247, (_e247 > _e75.member_1.x));
+                        let _e254 = (_e75.member_1.y - _e249);
+                        let _e255 = (_e75.member_2.x - _e251);
+                        let _e256 = (_e75.member_2.y - _e253);
+                        let _e257 = (_e249 - _e75.member.x);
+                        let _e258 = (_e251 - _e75.member.y);
+                        let _e259 = (_e253 - _e75.member_1.x);
                         let _e267 = (1f + (0.000000059604645f * 4f));
                         let _e271 = (0.000000000000000000000000000000000000011754944f * 8f);
                         let _e272 = ((select(_e257, _e254, (_e254 > _e257)) * _e267) + _e271);
@@ -243,7 +253,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e527 = select(_e519, _e525, (_e525 > _e519));
                         let _e531 = local.member_5;
                         if (select(_e527, _e523, (_e523 > _e527)) > _e531) {
-                            phi_2275_ = true;
+                            phi_2283_ = true;
                         } else {
                             let _e536 = local.member[1u][0u];
                             let _e539 = local.member_1[2u];
@@ -379,111 +389,115 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1156 = select(_e1076, _e1008, (_e1008 > _e1076));
                             let _e1158 = select(_e1144, _e1156, (_e1156 > _e1144));
                             let _e1162 = local.member_5;
-                            phi_2275_ = (select(_e1158, _e1154, (_e1154 > _e1158)) > _e1162);
+                            phi_2283_ = (select(_e1158, _e1154, (_e1154 > _e1158)) > _e1162);
                         }
-                        let _e1165 = phi_2275_;
+                        let _e1165 = phi_2283_;
                         let _e1166 = !(_e1165);
                         if _e1166 {
                         } else {
-                            let _e1168 = local_1.member_1;
-                            if (_e1168 > 0u) {
-                                let _e1173 = local_1.member_1;
-                                local_1.member_1 = (_e1173 - 1u);
-                                let _e1176 = local_1.member_1;
-                                let _e1179 = local_1.member[_e1176];
-                                local_1.member_2 = _e1179;
-                                local_1.member_3 = true;
+                            let _e1169 = local_1.member.member_1;
+                            if (_e1169 > 0u) {
+                                let _e1175 = local_1.member.member_1;
+                                local_1.member.member_1 = (_e1175 - 1u);
+                                let _e1178 = local_1.member.member_1;
+                                let _e1181 = local_1.member.member[_e1178];
+                                local_1.member_1 = _e1181;
+                                local_1.member_2 = true;
                             } else {
-                                local_1.member_4 = false;
-                            }
-                        }
-                        phi_2302_ = _e1166;
-                    } else {
-                        phi_2302_ = true;
-                    }
-                    let _e1183 = phi_2302_;
-                    if _e1183 {
-                        let _e1185 = local_1.member_2;
-                        let _e1187 = nodes.member[_e1185];
-                        let _e1225 = local_1.member_3;
-                        let _e1226 = (((_e1187.member_3.w & 2147483648u) != 0u) != _e1225);
-                        let _e1227 = select(_e1187.member_1.w, _e1187.member.w, _e1226);
-                        if _e1226 {
-                            phi_2383_ = ((((((bitcast<f32>(_e1187.member.x) <= _e78.member_1.y) && (_e78.member.x <= bitcast<f32>(_e1187.member_1.x))) && (bitcast<f32>(_e1187.member.y) <= _e78.member_2.x)) && (_e78.member.y <= bitcast<f32>(_e1187.member_1.y))) && (bitcast<f32>(_e1187.member.z) <= _e78.member_2.y)) && (_e78.member_1.x <= bitcast<f32>(_e1187.member_1.z)));
-                        } else {
-                            phi_2383_ = ((((((bitcast<f32>(_e1187.member_2.x) <= _e78.member_1.y) && (_e78.member.x <= bitcast<f32>(_e1187.member_3.x))) && (bitcast<f32>(_e1187.member_2.y) <= _e78.member_2.x)) && (_e78.member.y <= bitcast<f32>(_e1187.member_3.y))) && (bitcast<f32>(_e1187.member_2.z) <= _e78.member_2.y)) && (_e78.member_1.x <= bitcast<f32>(_e1187.member_3.z)));
-                        }
-                        let _e1251 = phi_2383_;
-                        let _e1253 = ((_e1227 & 2147483648u) != 0u);
-                        if _e1251 {
-                            if _e1253 {
-                            } else {
-                                let _e1255 = local_1.member_3;
-                                if _e1255 {
-                                } else {
-                                    let _e1257 = local_1.member_2;
-                                    let _e1259 = local_1.member_1;
-                                    local_1.member[_e1259] = _e1257;
-                                    let _e1264 = local_1.member_1;
-                                    local_1.member_1 = (_e1264 + 1u);
-                                }
-                                local_1.member_2 = _e1227;
                                 local_1.member_3 = false;
                             }
-                            phi_2413_ = _e1253;
-                        } else {
-                            phi_2413_ = true;
                         }
-                        let _e1269 = phi_2413_;
-                        if _e1269 {
-                            let _e1271 = local_1.member_3;
-                            if _e1271 {
-                                let _e1274 = local_1.member_1;
-                                if (_e1274 > 0u) {
-                                    let _e1279 = local_1.member_1;
-                                    local_1.member_1 = (_e1279 - 1u);
-                                    let _e1282 = local_1.member_1;
-                                    let _e1285 = local_1.member[_e1282];
-                                    local_1.member_2 = _e1285;
-                                    local_1.member_3 = true;
+                        phi_2312_ = _e1166;
+                    } else {
+                        phi_2312_ = true;
+                    }
+                    let _e1185 = phi_2312_;
+                    if _e1185 {
+                        let _e1187 = local_1.member_1;
+                        let _e1189 = nodes.member[_e1187];
+                        let _e1225 = local_1.member_2;
+                        if (((_e1189.member_3.w & 4u) != 0u) != _e1225) {
+                            phi_2393_ = ((_e1189.member_3.w & 1u) != 0u);
+                            phi_2394_ = ((((((bitcast<f32>(_e1189.member.x) <= _e75.member_1.y) && (_e75.member.x <= bitcast<f32>(_e1189.member_1.x))) && (bitcast<f32>(_e1189.member.y) <= _e75.member_2.x)) && (_e75.member.y <= bitcast<f32>(_e1189.member_1.y))) && (bitcast<f32>(_e1189.member.z) <= _e75.member_2.y)) && (_e75.member_1.x <= bitcast<f32>(_e1189.member_1.z)));
+                            phi_2395_ = _e1189.member_2.w;
+                        } else {
+                            phi_2393_ = ((_e1189.member_3.w & 2u) != 0u);
+                            phi_2394_ = ((((((bitcast<f32>(_e1189.member_2.x) <= _e75.member_1.y) && (_e75.member.x <= bitcast<f32>(_e1189.member_3.x))) && (bitcast<f32>(_e1189.member_2.y) <= _e75.member_2.x)) && (_e75.member.y <= bitcast<f32>(_e1189.member_3.y))) && (bitcast<f32>(_e1189.member_2.z) <= _e75.member_2.y)) && (_e75.member_1.x <= bitcast<f32>(_e1189.member_3.z)));
+                            phi_2395_ = (_e1189.member_2.w + 1u);
+                        }
+                        let _e1255 = phi_2393_;
+                        let _e1257 = phi_2394_;
+                        let _e1259 = phi_2395_;
+                        if _e1257 {
+                            if _e1255 {
+                            } else {
+                                let _e1261 = local_1.member_2;
+                                if _e1261 {
                                 } else {
-                                    local_1.member_4 = false;
+                                    let _e1263 = local_1.member_1;
+                                    let _e1265 = function_(_e1263);
+                                    let _e1267 = local_1.member.member_1;
+                                    local_1.member.member[_e1267] = _e1265;
+                                    let _e1272 = local_1.member.member_1;
+                                    local_1.member.member_1 = (_e1272 + 1u);
+                                }
+                                local_1.member_1 = _e1259;
+                                local_1.member_2 = false;
+                            }
+                            phi_2425_ = _e1255;
+                        } else {
+                            phi_2425_ = true;
+                        }
+                        let _e1277 = phi_2425_;
+                        if _e1277 {
+                            let _e1279 = local_1.member_2;
+                            if _e1279 {
+                                let _e1283 = local_1.member.member_1;
+                                if (_e1283 > 0u) {
+                                    let _e1289 = local_1.member.member_1;
+                                    local_1.member.member_1 = (_e1289 - 1u);
+                                    let _e1292 = local_1.member.member_1;
+                                    let _e1295 = local_1.member.member[_e1292];
+                                    local_1.member_1 = _e1295;
+                                    local_1.member_2 = true;
+                                } else {
+                                    local_1.member_3 = false;
                                 }
                             } else {
-                                local_1.member_3 = true;
+                                local_1.member_2 = true;
                             }
                         }
-                        let _e1293 = select(select(u32(), select(u32(), (_e1227 & 2147483647u), _e1253), _e1251), 4294967295u, select(true, select(true, false, _e1253), _e1251));
-                        if (_e1293 != 4294967295u) {
-                            let _e1297 = params.member.member_2.member;
-                            let _e1303 = params.member.member.member_2[select(1u, 2u, (_e1297 == 0u))];
-                            let _e1306 = order.member[(_e1303 + _e1293)];
-                            let _e1307 = (_e1306 - _e1303);
-                            let _e1310 = params.member.member_2.member;
-                            if select((_e1307 > _e76), true, (_e1310 == 0u)) {
-                                let _e1316 = params.member.member_1.member_3;
-                                let _e1318 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1318 + 1u) < _e1318) {
-                                    let _e1322 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e1300 = select(_e1259, 4294967295u, select(true, select(true, false, _e1255), _e1257));
+                        if (_e1300 != 4294967295u) {
+                            let _e1304 = params.member.member_2.member;
+                            let _e1310 = params.member.member.member_2[select(1u, 2u, (_e1304 == 0u))];
+                            let _e1313 = order.member[(_e1310 + _e1300)];
+                            let _e1314 = (_e1313 - _e1310);
+                            let _e1317 = params.member.member_2.member;
+                            if select((_e1314 > _e73), true, (_e1317 == 0u)) {
+                                let _e1323 = params.member.member_1.member_3;
+                                let _e1325 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1325 + 1u) < _e1325) {
+                                    let _e1329 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1318 < _e1316) {
-                                    let _e1324 = (2u * _e1318);
-                                    atomicStore((&pairs.member[(4u + _e1324)]), _e76);
-                                    atomicStore((&pairs.member[(_e1324 + 5u)]), _e1307);
+                                if (_e1325 < _e1323) {
+                                    let _e1331 = (2u * _e1325);
+                                    atomicStore((&pairs.member[(4u + _e1331)]), _e73);
+                                    atomicStore((&pairs.member[(_e1331 + 5u)]), _e1314);
                                 }
                             }
                         }
                     }
                 }
-                phi_2536_ = _e194;
+                phi_2547_ = _e194;
             } else {
-                phi_2536_ = false;
+                phi_2547_ = false;
             }
-            let _e1330 = phi_2536_;
+            let _e1337 = phi_2547_;
             continue;
             continuing {
-                phi_402_ = type_9(select(_e178.member, (_e178.member + 1u), _e181), select(_e178.member_1, _e178.member_1, _e181));
-                break if !(_e1330);
+                phi_410_ = type_9(select(_e178.member, (_e178.member + 1u), _e181), select(_e178.member_1, _e178.member_1, _e181));
+                break if !(_e1337);
             }
         }
     }
@@ -492,5 +506,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn traverse_recursive_oriented(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_1(id, n, lane);
 }

@@ -119,10 +119,10 @@ impl NodeWords {
     #[inline(always)]
     pub fn of(node: &WideNode) -> Self {
         Self {
-            left_min: words(node.left_min, node.left),
-            left_max: words(node.left_max, node.right),
+            left_min: words(node.left_min, node.unused),
+            left_max: words(node.left_max, node.unused_too),
             right_min: words(node.right_min, node.split),
-            right_max: words(node.right_max, node.last),
+            right_max: words(node.right_max, node.flags),
         }
     }
 }
@@ -133,13 +133,13 @@ pub fn node_at(nodes: &[NodeWords], i: usize) -> WideNode {
     let w = at(nodes, i);
     WideNode {
         left_min: corner(w.left_min),
-        left: w.left_min.w,
+        unused: w.left_min.w,
         left_max: corner(w.left_max),
-        right: w.left_max.w,
+        unused_too: w.left_max.w,
         right_min: corner(w.right_min),
         split: w.right_min.w,
         right_max: corner(w.right_max),
-        last: w.right_max.w,
+        flags: w.right_max.w,
     }
 }
 

@@ -53,15 +53,15 @@ fn check_wide_tree(nodes: &[WideNode], keys: &[u32], twin: &Twin, set: usize) {
         let apart = common(first, split) > shared && common(split + 1, last) > shared;
         assert!(apart && (first..last).contains(&split), "split {split} of {first} to {last}");
         let smaller = split - first < last - split;
-        assert_eq!(record.last, last | if smaller { WideNode::MARK } else { 0 }, "node {node}");
-        for (child, first, last, boxed) in [
-            (record.left, first, split, record.left_box()),
-            (record.right, split + 1, last, record.right_box()),
+        assert_eq!(record.has(WideNode::LEFT_IS_SMALLER), smaller, "node {node}");
+        for (flag, first, last, boxed, child) in [
+            (WideNode::LEFT_IS_LEAF, first, split, record.left_box(), split),
+            (WideNode::RIGHT_IS_LEAF, split + 1, last, record.right_box(), split + 1),
         ] {
             let want = union((first..=last).map(|leaf| twin.node(0, set, leaf)));
             check_boxes("node", &[want], &[boxed]);
+            assert_eq!(record.has(flag), first == last, "leaves {first} to {last}");
             if first == last {
-                assert_eq!(child, first | WideNode::MARK);
                 assert!(!std::mem::replace(&mut seen[first as usize], true), "{first} comes twice");
             } else {
                 stack.push((child, first, last));

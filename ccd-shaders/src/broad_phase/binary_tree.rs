@@ -9,8 +9,14 @@ use ccd_core::backend::broad_phase::radix_tree;
 use ccd_core::backend::broad_phase::wide_nodes::{self as wide, TILE};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::{Branch, LIST_HEADER, Node};
-use spirv_std::glam::UVec4;
+use ccd_core::backend::layout::{Branch, LIST_HEADER, Node, WideNode};
+use spirv_std::glam::{UVec2, UVec4};
+
+/// Records that workgroup memory holds at a time, and words of two of each.
+const HALF: u32 = TILE / 2;
+const NODE_WORDS: u32 = 8;
+/// In place of its flags: a record that is not written.
+const SKIPPED: u32 = u32::MAX;
 
 /// Threads of a workgroup of the far nodes.
 const FAR: u32 = Id::FarNodes.threads();
@@ -48,8 +54,8 @@ kernel! {
 kernel! {
     /// Thread `i` boxes the children of internal node `i`; see
     /// `ccd_core::backend::broad_phase::wide_nodes`.
-    near_nodes[256](t; params: Blocks; boxes: [Aabb; 512], counters: [u32; 2]; branches: [UVec4],
-        block_nodes: [BoxWords], mut nodes: [NodeWords], mut far: [u32]) {
+    near_nodes[256](t; params: Blocks; words: [UVec2; 1024], counters: [u32; 2];
+        branches: [UVec4], block_nodes: [BoxWords], mut nodes: [UVec2], mut far: [u32]) {
         let tile = t.group * TILE;
         let i = tile + t.lane;
         let tree = params.args.kind as usize;
@@ -58,7 +64,7 @@ kernel! {
         if i < n_leaves {
             aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, tree, i));
         }
-        set(boxes, t.lane, aabb);
+        put_box(words, t.lane, &aabb);
         if t.lane == 0 {
             set(counters, 0, 0);
         }
@@ -80,23 +86,39 @@ kernel! {
         let (mut left, mut right) = (Aabb::EMPTY, Aabb::EMPTY);
         barrier();
         for k in 0..wide::POWERS {
-            // Box `i` of this half of `boxes` is that of `reach` leaves from `i` on.
-            let (half, reach) = ((k & 1) * TILE, 1 << k);
+            // Box `i` is that of `reach` leaves from `i` on.
+            let reach = 1 << k;
             if left_length >> k == 1 {
-                let from = half + left_from;
-                left = get(boxes, from).union(&get(boxes, from + left_length - reach));
+                left = box_of(words, left_from)
+                    .union(&box_of(words, left_from + left_length - reach));
             }
             if right_length >> k == 1 {
-                let from = half + right_from;
-                right = get(boxes, from).union(&get(boxes, from + right_length - reach));
+                right = box_of(words, right_from)
+                    .union(&box_of(words, right_from + right_length - reach));
             }
-            aabb = aabb.union(&get(boxes, half + (t.lane + reach).min(TILE - 1)));
-            set(boxes, TILE - half + t.lane, aabb);
+            aabb = aabb.union(&box_of(words, (t.lane + reach).min(TILE - 1)));
+            barrier();
+            put_box(words, t.lane, &aabb);
             barrier();
         }
-        if active && is_near {
-            let node = wide::wide_node(&branch, split, n_leaves - 1, &left, &right);
-            put(nodes, i as usize, NodeWords::of(&node));
+        // Records go through workgroup memory, half of them at a time, so that threads side by side
+        // write what lies side by side.
+        let node = wide::wide_node(&branch, split, n_leaves - 1, &left, &right);
+        let end = if active && is_near { node.flags } else { SKIPPED };
+        for half in 0..2 {
+            if t.lane / HALF == half {
+                put_node(words, t.lane % HALF, &node, end);
+            }
+            barrier();
+            for k in 0..NODE_WORDS / 2 {
+                let word = k * TILE + t.lane;
+                if get(words, place(word / NODE_WORDS, NODE_WORDS - 1)).y != SKIPPED {
+                    let to = (tile + half * HALF) * NODE_WORDS + word;
+                    let from = place(word / NODE_WORDS, word % NODE_WORDS);
+                    put(nodes, to as usize, get(words, from));
+                }
+            }
+            barrier();
         }
         let mut to = 0;
         if active && !is_near {
@@ -138,4 +160,49 @@ kernel! {
             put(nodes, i as usize, NodeWords::of(&node));
         }
     }
+}
+
+/// Puts box `i` into workgroup memory.
+#[inline(always)]
+fn put_box(words: &mut [UVec2; 1024], i: u32, b: &Aabb) {
+    let [x, y, z, u, v, w] = [b.min[0], b.min[1], b.min[2], b.max[0], b.max[1], b.max[2]];
+    set(words, 3 * i, bits(x, y.to_bits()));
+    set(words, 3 * i + 1, bits(z, u.to_bits()));
+    set(words, 3 * i + 2, bits(v, w.to_bits()));
+}
+
+/// Box `i` of workgroup memory.
+#[inline(always)]
+fn box_of(words: &[UVec2; 1024], i: u32) -> Aabb {
+    let [a, b, c] = [get(words, 3 * i), get(words, 3 * i + 1), get(words, 3 * i + 2)];
+    let [x, y, z] = [f32::from_bits(a.x), f32::from_bits(a.y), f32::from_bits(b.x)];
+    let [u, v, w] = [f32::from_bits(b.y), f32::from_bits(c.x), f32::from_bits(c.y)];
+    Aabb { min: [x, y, z], max: [u, v, w] }
+}
+
+/// Puts a record there, whose last word is `end`.
+#[inline(always)]
+fn put_node(words: &mut [UVec2; 1024], i: u32, node: &WideNode, end: u32) {
+    let ([a, b, c], [d, e, f]) = (node.left_min, node.left_max);
+    let ([g, h, k], [l, m, n]) = (node.right_min, node.right_max);
+    set(words, place(i, 0), bits(a, b.to_bits()));
+    set(words, place(i, 1), bits(c, node.unused));
+    set(words, place(i, 2), bits(d, e.to_bits()));
+    set(words, place(i, 3), bits(f, node.unused_too));
+    set(words, place(i, 4), bits(g, h.to_bits()));
+    set(words, place(i, 5), bits(k, node.split));
+    set(words, place(i, 6), bits(l, m.to_bits()));
+    set(words, place(i, 7), bits(n, end));
+}
+
+/// Where word `k` of record `i` is: in another column for each of eight records, so that threads
+/// that put the same word of different ones do not wait for each other.
+#[inline(always)]
+fn place(i: u32, k: u32) -> u32 {
+    NODE_WORDS * i + (k ^ (i % NODE_WORDS))
+}
+
+#[inline(always)]
+fn bits(first: f32, second: u32) -> UVec2 {
+    UVec2::new(first.to_bits(), second)
 }

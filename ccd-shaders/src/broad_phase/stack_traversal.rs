@@ -10,7 +10,7 @@ use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{self, sets};
 use ccd_core::backend::broad_phase::recursive::Calls;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
-use ccd_core::backend::broad_phase::wide_nodes::WideWalk;
+use ccd_core::backend::broad_phase::wide_nodes::{LeafDescent, WideWalk};
 use ccd_core::backend::kernel::memory::at;
 use ccd_core::backend::layout::{Blocks, Pair, Params, Queries, VERTEX_FACE};
 
@@ -81,18 +81,32 @@ fn walk_half<V: Volume>(
         let query = box_at(leaves, block_bvh::slot(&params.args, 0, SET, leaf_idx));
         let (first, n_leaves) = (params.frame.start[SET], params.frame.count[SET]);
         let a = at(order, (first + leaf_idx) as usize) - first;
-        let mut walk = WideWalk::new();
+        let (mut descent, mut walk) = (LeafDescent::to(leaf_idx), WideWalk::new());
         for _ in 0..n_leaves - 1 {
-            if !walk.goes_on {
+            if descent.is_done {
                 break;
             }
-            if volume.reaches(&query, first + walk.node) {
-                let node = node_at(nodes, walk.node as usize);
-                let found = walk.step(&node, &query, leaf_idx);
-                keep_ordered(params, a, order, found[0], pairs);
-                keep_ordered(params, a, order, found[1], pairs);
-            } else {
-                walk.skip();
+            for _ in 0..n_leaves - 1 {
+                if !descent.goes_on(&walk) {
+                    break;
+                }
+                let node = node_at(nodes, descent.node as usize);
+                let found = descent.step(&node, &query, &mut walk);
+                keep_ordered(params, a, order, found, pairs);
+            }
+            walk.take();
+            for _ in 0..n_leaves - 1 {
+                if !walk.goes_on {
+                    break;
+                }
+                if volume.reaches(&query, first + walk.node) {
+                    let node = node_at(nodes, walk.node as usize);
+                    let found = walk.step(&node, &query);
+                    keep_ordered(params, a, order, found[0], pairs);
+                    keep_ordered(params, a, order, found[1], pairs);
+                } else {
+                    walk.take();
+                }
             }
         }
     }
@@ -132,11 +146,11 @@ fn walk_full<V: Volume>(
             }
             if volume.reaches(&query, first + walk.node) {
                 let node = node_at(nodes, walk.node as usize);
-                let found = walk.step(&node, &query, NONE);
+                let found = walk.step(&node, &query);
                 keep(params, a, order, found[0], pairs);
                 keep(params, a, order, found[1], pairs);
             } else {
-                walk.skip();
+                walk.take();
             }
         }
     }

@@ -23,7 +23,7 @@ use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
 use ccd_core::backend::broad_phase::sweep_by_end_points as end_points;
 use ccd_core::backend::broad_phase::uniform_grid::Sizes;
-use ccd_core::backend::broad_phase::wide_nodes::{WideWalk, wide_node};
+use ccd_core::backend::broad_phase::wide_nodes::{LeafDescent, WideWalk, wide_node};
 use ccd_core::backend::layout::{Branch, EDGE_EDGE, Node, WideNode};
 use ccd_core::math::morton::MortonGrid;
 use std::fmt::Write;
@@ -244,18 +244,31 @@ impl<'a> Tree<'a> {
 
     fn queries(&self, traversal: Traversal) -> Steps {
         let (mut threads, mut pairs) = (Vec::new(), 0);
+        let half = traversal == Traversal::Half;
         for k in 0..self.boxes.len() as u32 {
-            let half = traversal == Traversal::Half;
             let by_input = traversal == Traversal::Iterative;
             let i = if by_input { k } else { self.order[k as usize] };
+            let query = &self.boxes[i as usize];
             let (mut walk, mut n) = (WideWalk::new(), 0);
-            while walk.goes_on {
-                let after = if half { k } else { NONE };
-                let node = &self.wide[walk.node as usize];
-                let found = walk.step(node, &self.boxes[i as usize], after);
-                n += 1;
-                let kept = |leaf: &u32| *leaf != NONE && (half || self.is_kept(i, *leaf));
-                pairs += found.iter().filter(|&leaf| kept(leaf)).count() as u64;
+            let mut descent = LeafDescent::to(k);
+            loop {
+                while half && descent.goes_on(&walk) {
+                    let node = &self.wide[descent.node as usize];
+                    pairs += (descent.step(node, query, &mut walk) != NONE) as u64;
+                    n += 1;
+                }
+                if half {
+                    walk.take();
+                }
+                while walk.goes_on {
+                    let found = walk.step(&self.wide[walk.node as usize], query);
+                    let kept = |leaf: &u32| *leaf != NONE && (half || self.is_kept(i, *leaf));
+                    pairs += found.iter().filter(|&leaf| kept(leaf)).count() as u64;
+                    n += 1;
+                }
+                if !half || descent.is_done {
+                    break;
+                }
             }
             threads.push(n);
         }

@@ -20,6 +20,7 @@
 //! itself has the most below it, so that of 32 threads side by side few are busy.
 
 use super::pair_descent::{NO_PAIR, NodePair};
+use crate::kernel::stack::Stack;
 
 /// Pairs of nodes that fit on a stack.
 pub const CAPACITY: usize = 64;
@@ -27,26 +28,24 @@ pub const CAPACITY: usize = 64;
 /// Pairs of nodes that wait.
 #[derive(Clone, Copy, Debug)]
 pub struct PairStack {
-    first: [u32; CAPACITY],
-    second: [u32; CAPACITY],
-    height: u32,
+    first: Stack<CAPACITY>,
+    second: Stack<CAPACITY>,
 }
 
 impl PairStack {
     /// Without a pair.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { first: [0; CAPACITY], second: [0; CAPACITY], height: 0 }
+        Self { first: Stack::new(), second: Stack::new() }
     }
 
     /// Puts a pair on top. Returns whether there was a place, of `most`, [`CAPACITY`] at most.
     #[inline(always)]
     pub fn push(&mut self, pair: NodePair, most: u32) -> bool {
-        let has_place = self.height < most.min(CAPACITY as u32);
+        let has_place = self.first.height() < most.min(CAPACITY as u32);
         if has_place {
-            self.first[self.height as usize] = pair[0];
-            self.second[self.height as usize] = pair[1];
-            self.height += 1;
+            self.first.push(pair[0]);
+            self.second.push(pair[1]);
         }
         has_place
     }
@@ -54,13 +53,7 @@ impl PairStack {
     /// Takes the pair on top; [`NO_PAIR`] if there is none.
     #[inline(always)]
     pub fn pop(&mut self) -> NodePair {
-        let mut pair = NO_PAIR;
-        if self.height > 0 {
-            self.height -= 1;
-            let top = self.height as usize;
-            pair = [self.first[top], self.second[top]];
-        }
-        pair
+        if self.first.height() > 0 { [self.first.pop(), self.second.pop()] } else { NO_PAIR }
     }
 }
 

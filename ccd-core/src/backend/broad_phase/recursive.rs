@@ -19,14 +19,14 @@
 //! Twin: on a CPU `tree/traversal/recursive.rs`, a function that calls itself.
 
 use super::stack_traversal::{MAX_HEIGHT, NONE};
+use crate::kernel::stack::Stack;
 use crate::layout::WideNode;
 use crate::math::aabb::Aabb;
 
 /// A recursion between two of its calls.
 #[derive(Clone, Copy, Debug)]
 pub struct Calls {
-    stack: [u32; MAX_HEIGHT],
-    height: u32,
+    callers: Stack<MAX_HEIGHT>,
     /// The node that calls.
     pub node: u32,
     /// Whether it has called for its first child.
@@ -39,7 +39,7 @@ impl Calls {
     /// In the call for the root of a tree of at least two leaves.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { stack: [0; MAX_HEIGHT], height: 0, node: 0, second: false, goes_on: true }
+        Self { callers: Stack::new(), node: 0, second: false, goes_on: true }
     }
 
     /// Whether the node is looked at for the first time.
@@ -53,19 +53,15 @@ impl Calls {
     /// are at most `2 n` calls.
     #[inline(always)]
     pub fn step(&mut self, node: &WideNode, query: &Aabb<f32>) -> u32 {
-        let left_is_smaller = node.last & WideNode::MARK != 0;
-        let is_left = left_is_smaller != self.second;
-        let child = if is_left { node.left } else { node.right };
-        let overlaps = if is_left {
-            node.left_box().overlaps(query)
+        let is_left = node.has(WideNode::LEFT_IS_SMALLER) != self.second;
+        let (child, overlaps, is_leaf) = if is_left {
+            (node.split, node.left_box().overlaps(query), node.has(WideNode::LEFT_IS_LEAF))
         } else {
-            node.right_box().overlaps(query)
+            (node.split + 1, node.right_box().overlaps(query), node.has(WideNode::RIGHT_IS_LEAF))
         };
-        let is_leaf = child & WideNode::MARK != 0;
         if overlaps && !is_leaf {
             if !self.second {
-                self.stack[self.height as usize] = self.node;
-                self.height += 1;
+                self.callers.push(self.node);
             }
             self.node = child;
             self.second = false;
@@ -74,15 +70,14 @@ impl Calls {
         } else {
             self.second = true;
         }
-        if overlaps && is_leaf { child & !WideNode::MARK } else { NONE }
+        if overlaps && is_leaf { child } else { NONE }
     }
 
     /// Returns from the node to the one that called for it.
     #[inline(always)]
     pub fn leave(&mut self) {
-        if self.height > 0 {
-            self.height -= 1;
-            self.node = self.stack[self.height as usize];
+        if self.callers.height() > 0 {
+            self.node = self.callers.pop();
             self.second = true;
         } else {
             self.goes_on = false;
@@ -129,12 +124,12 @@ mod tests {
                 let mut calls = Calls::new();
                 while calls.goes_on {
                     found.push(calls.step(&nodes[calls.node as usize], query));
-                    (n_calls, highest) = (n_calls + 1, calls.height.max(highest));
+                    (n_calls, highest) = (n_calls + 1, calls.callers.height().max(highest));
                 }
                 let (mut want, mut n_steps) = (Vec::new(), 0);
                 let mut walk = WideWalk::new();
                 while walk.goes_on {
-                    want.extend(walk.step(&nodes[walk.node as usize], query, NONE));
+                    want.extend(walk.step(&nodes[walk.node as usize], query));
                     n_steps += 1;
                 }
                 for leaves in [&mut found, &mut want] {

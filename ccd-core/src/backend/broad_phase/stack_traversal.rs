@@ -5,6 +5,7 @@
 //! every pair is found once.
 
 use crate::kernel::memory::at;
+use crate::kernel::stack::Stack;
 use crate::layout::{Branch, Node};
 use crate::math::aabb::Aabb;
 
@@ -18,8 +19,7 @@ pub const MAX_HEIGHT: usize = 31;
 /// A traversal between two of its steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Walk {
-    stack: [u32; MAX_HEIGHT],
-    height: u32,
+    waiting: Stack<MAX_HEIGHT>,
     node: u32,
     /// Whether nodes are left.
     pub goes_on: bool,
@@ -35,7 +35,7 @@ impl Walk {
     /// At the root of a tree of at least two leaves.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { stack: [0; MAX_HEIGHT], height: 0, node: 0, goes_on: true }
+        Self { waiting: Stack::new(), node: 0, goes_on: true }
     }
 
     /// The internal node that the next step visits.
@@ -47,11 +47,9 @@ impl Walk {
     /// Leaves that node and all below it out.
     #[inline(always)]
     pub fn skip(&mut self) {
-        if self.height > 0 {
-            self.height -= 1;
-            self.node = self.stack[self.height as usize];
-        } else {
-            self.goes_on = false;
+        self.goes_on = self.waiting.height() > 0;
+        if self.goes_on {
+            self.node = self.waiting.pop();
         }
     }
 
@@ -85,9 +83,7 @@ impl Walk {
         let (down_left, down_right) = (to_left && !left.is_leaf(), to_right && !right.is_leaf());
         if down_left && down_right {
             let left_is_smaller = last_of_left - branch.first < branch.last - last_of_left;
-            self.stack[self.height as usize] =
-                if left_is_smaller { branch.right } else { branch.left };
-            self.height += 1;
+            self.waiting.push(if left_is_smaller { branch.right } else { branch.left });
             self.node = if left_is_smaller { branch.left } else { branch.right };
         } else if down_left {
             self.node = branch.left;
@@ -120,7 +116,7 @@ mod tests {
             let n_internal = tree.branches.len() as u32;
             let step = walk.step(query, &tree.nodes, &tree.branches, n_internal, after);
             found.extend(step.into_iter().filter(|&leaf| leaf != NONE));
-            greatest = greatest.max(walk.height);
+            greatest = greatest.max(walk.waiting.height());
             steps += 1;
         }
         (found, greatest, steps)

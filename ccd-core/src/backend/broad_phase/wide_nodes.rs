@@ -7,7 +7,8 @@
 //!    left   right     leaves, in the order of the Morton curve
 //! ```
 //!
-//! A leaf has no record: its box is read among the sorted boxes. The boxes of a node's children are
+//! A leaf has no record: its box is read among the sorted boxes. Numbers of children follow from
+//! where the range is split ([`super::node_numbering`]). The boxes of a node's children are
 //! those of two ranges of leaves, so that nothing passes between workgroups; for this the leaves
 //! below any node must follow one another, as in every tree whose leaves are numbered from the
 //! left. A workgroup makes the records of [`TILE`] nodes that follow one another. Where one end of
@@ -21,6 +22,7 @@
 //! Cost: 64 bytes a box; a step is two box tests. Choose it where one thread takes one query.
 
 use super::stack_traversal::{MAX_HEIGHT, NONE};
+use crate::kernel::stack::Stack;
 use crate::layout::{Branch, WideNode};
 use crate::math::aabb::Aabb;
 
@@ -34,22 +36,19 @@ pub fn wide_node(
     left: &Aabb<f32>,
     right: &Aabb<f32>,
 ) -> WideNode {
-    let left_is_smaller = split - branch.first < branch.last - split;
+    let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
     WideNode {
         left_min: left.min,
-        left: child(branch.left, n_internal),
+        unused: 0,
         left_max: left.max,
-        right: child(branch.right, n_internal),
+        unused_too: 0,
         right_min: right.min,
         split,
         right_max: right.max,
-        last: branch.last | if left_is_smaller { WideNode::MARK } else { 0 },
+        flags: flag(branch.left >= n_internal, WideNode::LEFT_IS_LEAF)
+            | flag(branch.right >= n_internal, WideNode::RIGHT_IS_LEAF)
+            | flag(split - branch.first < branch.last - split, WideNode::LEFT_IS_SMALLER),
     }
-}
-
-#[inline(always)]
-fn child(node: u32, n_internal: u32) -> u32 {
-    if node >= n_internal { (node - n_internal) | WideNode::MARK } else { node }
 }
 
 /// Nodes that a workgroup makes together.
@@ -64,11 +63,13 @@ pub fn is_within(tile: u32, branch: &Branch) -> bool {
     branch.first >= tile && branch.last < tile + TILE
 }
 
+/// Nodes beside the way from the root to a leaf that wait until the others are taken.
+const BESIDE: usize = 16;
+
 /// A traversal between two of its steps.
 #[derive(Clone, Copy, Debug)]
 pub struct WideWalk {
-    stack: [u32; MAX_HEIGHT],
-    height: u32,
+    waiting: Stack<{ MAX_HEIGHT + BESIDE }>,
     /// The node of the next step.
     pub node: u32,
     /// Whether nodes are left.
@@ -79,49 +80,45 @@ impl WideWalk {
     /// At the root of a tree of at least two leaves.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { stack: [0; MAX_HEIGHT], height: 0, node: 0, goes_on: true }
+        Self { waiting: Stack::new(), node: 0, goes_on: true }
     }
 
     /// Visits `node`, which is the record of [`WideWalk::node`], and returns the numbers of its
     /// children that are leaves and overlap `query`, [`NONE`] for the others.
     ///
-    /// `after`: leaves up to and including this number are left out; [`NONE`]: none are. Every node
-    /// is visited at most once; for the stack see [`MAX_HEIGHT`].
+    /// Every node is visited at most once; for the stack see [`MAX_HEIGHT`].
     #[inline(always)]
-    pub fn step(&mut self, node: &WideNode, query: &Aabb<f32>, after: u32) -> [u32; 2] {
-        let (all, last) = (after == NONE, node.last & !WideNode::MARK);
-        let to_left = (all || node.split > after) && node.left_box().overlaps(query);
-        let to_right = (all || last > after) && node.right_box().overlaps(query);
-        let left_is_leaf = node.left & WideNode::MARK != 0;
-        let right_is_leaf = node.right & WideNode::MARK != 0;
+    pub fn step(&mut self, node: &WideNode, query: &Aabb<f32>) -> [u32; 2] {
+        let to_left = node.left_box().overlaps(query);
+        let to_right = node.right_box().overlaps(query);
+        let left_is_leaf = node.has(WideNode::LEFT_IS_LEAF);
+        let right_is_leaf = node.has(WideNode::RIGHT_IS_LEAF);
+        let (left, right) = (node.split, node.split + 1);
         let found = [
-            if to_left && left_is_leaf { node.left & !WideNode::MARK } else { NONE },
-            if to_right && right_is_leaf { node.right & !WideNode::MARK } else { NONE },
+            if to_left && left_is_leaf { left } else { NONE },
+            if to_right && right_is_leaf { right } else { NONE },
         ];
         let (down_left, down_right) = (to_left && !left_is_leaf, to_right && !right_is_leaf);
         if down_left && down_right {
-            let left_is_smaller = node.last & WideNode::MARK != 0;
-            self.stack[self.height as usize] = if left_is_smaller { node.right } else { node.left };
-            self.height += 1;
-            self.node = if left_is_smaller { node.left } else { node.right };
+            let left_is_smaller = node.has(WideNode::LEFT_IS_SMALLER);
+            self.waiting.push(if left_is_smaller { right } else { left });
+            self.node = if left_is_smaller { left } else { right };
         } else if down_left {
-            self.node = node.left;
+            self.node = left;
         } else if down_right {
-            self.node = node.right;
+            self.node = right;
         } else {
-            self.skip();
+            self.take();
         }
         found
     }
 
-    /// Leaves the node of the next step and all below it out.
+    /// Goes on with a node that waits, if there is one.
     #[inline(always)]
-    pub fn skip(&mut self) {
-        if self.height > 0 {
-            self.height -= 1;
-            self.node = self.stack[self.height as usize];
-        } else {
-            self.goes_on = false;
+    pub fn take(&mut self) {
+        self.goes_on = self.waiting.height() > 0;
+        if self.goes_on {
+            self.node = self.waiting.pop();
         }
     }
 }
@@ -129,5 +126,109 @@ impl WideWalk {
 impl Default for WideWalk {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// The way from the root down to a query's own leaf. Every pair is found once if each query looks
+/// for leaves after its own alone: they are below the right children of nodes on that way, which
+/// are kept for a traversal if they overlap the query. Nothing is asked of the nodes of the way
+/// themselves, and of their records the second half is read.
+#[derive(Clone, Copy, Debug)]
+pub struct LeafDescent {
+    /// The number of the query's own leaf.
+    leaf: u32,
+    /// The next node on the way.
+    pub node: u32,
+    /// Whether the leaf is reached.
+    pub is_done: bool,
+}
+
+impl LeafDescent {
+    /// At the root of a tree of at least two leaves.
+    #[inline(always)]
+    pub fn to(leaf: u32) -> Self {
+        Self { leaf, node: 0, is_done: false }
+    }
+
+    /// Whether nodes of the way are left, and `walk` has a place for what is found beside it. Else
+    /// those that wait are taken first.
+    #[inline(always)]
+    pub fn goes_on(&self, walk: &WideWalk) -> bool {
+        !self.is_done && walk.waiting.height() < BESIDE as u32
+    }
+
+    /// Visits `node`, which is the record of [`LeafDescent::node`]. If the query's own leaf is
+    /// below its left child, its right child, if that overlaps `query`, waits in `walk`, or is
+    /// returned, if it is a leaf; else [`NONE`].
+    #[inline(always)]
+    pub fn step(&mut self, node: &WideNode, query: &Aabb<f32>, walk: &mut WideWalk) -> u32 {
+        let (left, right) = (node.split, node.split + 1);
+        if self.leaf > left {
+            self.node = right;
+            self.is_done = node.has(WideNode::RIGHT_IS_LEAF);
+            return NONE;
+        }
+        self.node = left;
+        self.is_done = node.has(WideNode::LEFT_IS_LEAF);
+        let (overlaps, is_leaf) =
+            (node.right_box().overlaps(query), node.has(WideNode::RIGHT_IS_LEAF));
+        if overlaps && !is_leaf {
+            walk.waiting.push(right);
+        }
+        if overlaps && is_leaf { right } else { NONE }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broad_phase::radix_tree::last_of_left;
+    use crate::broad_phase::test_trees::{Tree, boxes, splits};
+    use std::vec::Vec;
+
+    /// Leaves after the query's own that overlap it, and whether the way was left before its end.
+    fn after(nodes: &[WideNode], query: &Aabb, leaf: u32) -> (Vec<u32>, bool) {
+        let (mut descent, mut walk) = (LeafDescent::to(leaf), WideWalk::new());
+        let (mut found, mut waited) = (Vec::new(), false);
+        while !descent.is_done {
+            while descent.goes_on(&walk) {
+                found.push(descent.step(&nodes[descent.node as usize], query, &mut walk));
+            }
+            waited |= !descent.is_done;
+            walk.take();
+            while walk.goes_on {
+                found.extend(walk.step(&nodes[walk.node as usize], query));
+            }
+        }
+        found.retain(|&leaf| leaf != NONE);
+        found.sort_unstable();
+        (found, waited)
+    }
+
+    #[test]
+    fn a_leaf_finds_those_after_it_however_deep_the_tree_is() {
+        let everywhere = Vec::from_iter((0..300).map(|_| Aabb { min: [0.0; 3], max: [1.0; 3] }));
+        let mut waited = false;
+        for all in [boxes(300, 7), everywhere, boxes(2, 1)] {
+            for (name, split) in splits() {
+                let tree = Tree::new(&all, split);
+                let n_internal = tree.branches.len() as u32;
+                let record = |branch: &Branch| {
+                    let split = last_of_left(branch, n_internal);
+                    let [left, right] =
+                        [branch.left, branch.right].map(|child| tree.nodes[child as usize].aabb());
+                    wide_node(branch, split, n_internal, &left, &right)
+                };
+                let nodes = Vec::from_iter(tree.branches.iter().map(record));
+                for (leaf, query) in (0..).zip(&all) {
+                    let (found, early) = after(&nodes, query, leaf);
+                    let overlaps = |other: &u32| all[*other as usize].overlaps(query);
+                    let want = Vec::from_iter((leaf + 1..all.len() as u32).filter(overlaps));
+                    assert_eq!(found, want, "{name}, leaf {leaf}");
+                    waited |= early;
+                }
+            }
+        }
+        assert!(waited, "more waited beside a way than there are places");
     }
 }

@@ -15,6 +15,7 @@ pub mod memory;
 pub mod prefix;
 pub mod probe;
 pub mod sort;
+pub mod stack;
 mod table;
 #[cfg(test)]
 pub(crate) mod test_words;

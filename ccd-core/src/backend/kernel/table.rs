@@ -63,7 +63,7 @@ macro_rules! kernels {
                 { keys: Read, branches: Write }
             /// The same with the boxes of their children, if these are near; a list of the others:
             /// for queries.
-            NearNodes = near_nodes(256 threads, 4 barriers, f32, Params<Blocks>)
+            NearNodes = near_nodes(256 threads, 7 barriers, f32, Params<Blocks>)
                 { branches: Read, block_nodes: Read, nodes: Write, far: Write }
             /// Those of the list.
             FarNodes = far_nodes(128 threads, 0 barriers, f32, Params<Blocks>)

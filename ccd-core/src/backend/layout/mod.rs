@@ -141,33 +141,43 @@ impl Cluster {
 /// | field | bytes | | field | bytes |
 /// |---|---|---|---|---|
 /// | `left_min` | 0..12 | | `right_min` | 32..44 |
-/// | `left` | 12..16 | | `split` | 44..48 |
+/// | | 12..16 | | `split` | 44..48 |
 /// | `left_max` | 16..28 | | `right_max` | 48..60 |
-/// | `right` | 28..32 | | `last` | 60..64 |
+/// | | 28..32 | | `flags` | 60..64 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct WideNode {
     /// Smallest corner of the left child's box.
     pub left_min: [f32; 3],
-    /// The left child: an internal node, or, with [`WideNode::MARK`], a leaf.
-    pub left: u32,
+    /// Not used.
+    pub unused: u32,
     /// Greatest corner of the left child's box.
     pub left_max: [f32; 3],
-    /// The right child, likewise.
-    pub right: u32,
+    /// Not used.
+    pub unused_too: u32,
     /// Smallest corner of the right child's box.
     pub right_min: [f32; 3],
-    /// Last leaf below the left child.
+    /// Last leaf below the left child. The left child has this number, the right child the next.
     pub split: u32,
     /// Greatest corner of the right child's box.
     pub right_max: [f32; 3],
-    /// Last leaf below the node; with [`WideNode::MARK`] if the left child has fewer leaves.
-    pub last: u32,
+    /// [`WideNode::LEFT_IS_LEAF`] and so on.
+    pub flags: u32,
 }
 
 impl WideNode {
-    /// The bit that numbers of nodes do not use.
-    pub const MARK: u32 = 1 << 31;
+    /// In [`WideNode::flags`]: the number of the left child is that of a leaf, not of a node.
+    pub const LEFT_IS_LEAF: u32 = 1;
+    /// The number of the right child is that of a leaf; the next bit.
+    pub const RIGHT_IS_LEAF: u32 = 2;
+    /// The left child has fewer leaves than the right one.
+    pub const LEFT_IS_SMALLER: u32 = 4;
+
+    /// Whether a flag is set.
+    #[inline(always)]
+    pub fn has(&self, flag: u32) -> bool {
+        self.flags & flag != 0
+    }
 
     /// The box of the left child.
     #[inline(always)]
