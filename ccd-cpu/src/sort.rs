@@ -1,27 +1,32 @@
-//! Parallel least-significant-digit radix sort of 64-bit keys with 32-bit values; stable, so the
-//! result does not depend on threads.
+//! Parallel least-significant-digit radix sort of numbers by 63-bit keys. Stable, so the result
+//! does not depend on threads.
 //!
-//! Only the upper 33 bits are sorted digit by digit; keys that agree in them are few in most scenes
-//! and are then sorted by comparison, run by run. Digits that are equal in all keys are skipped.
-//! Arrays are atomic words with relaxed access, which is plain loads and stores: threads write
-//! disjoint places that no slice could express.
+//! A word holds the upper 33 bits of a number's key and the number. It is sorted digit by digit;
+//! numbers whose keys agree in those bits are few in most scenes, and are then sorted by their
+//! whole keys, run by run, which are not made before. Digits that are equal in all keys are
+//! skipped. Arrays are atomic words with relaxed access, which is plain loads and stores: threads
+//! write disjoint places that no slice could express.
 
 use crate::threads::Threads;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering::Relaxed};
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Bits of a digit: counts stay in the first-level cache.
 const BITS: u32 = 11;
 const BINS: usize = 1 << BITS;
-/// Digits sorted: bits 30 to 63.
+/// Digits of the upper bits of a key.
 const PASSES: usize = 3;
-/// Bits below the sorted digits.
-const LOW_BITS: u32 = 30;
+/// Bits of a key below those.
+pub const LOW_BITS: u32 = 30;
+/// Bits of a number.
+const NUMBER_BITS: u32 = 31;
+/// Numbers that can be sorted.
+pub const MOST: usize = 1 << NUMBER_BITS;
 
 /// Buffers of the sort, kept between calls.
 #[derive(Debug, Default)]
 pub struct RadixSort {
-    keys: [Vec<AtomicU64>; 2],
-    values: [Vec<AtomicU32>; 2],
+    words: [Vec<AtomicU64>; 2],
     workers: Vec<Worker>,
 }
 
@@ -31,17 +36,22 @@ struct Worker {
     ties: Vec<(u64, u32)>,
 }
 
-/// Items whose keys are made at once.
+/// Numbers whose keys are made at once.
 pub const LANES: usize = 4;
 
-/// What makes them.
-pub type Keys<'a> = dyn Fn([usize; LANES]) -> [u64; LANES] + Sync + 'a;
+/// Keys below `2^63`.
+pub struct Keys<'a> {
+    /// Their upper bits, those from [`LOW_BITS`] on. The last number may be asked for more than
+    /// once.
+    pub upper: &'a (dyn Fn([usize; LANES]) -> [u64; LANES] + Sync),
+    pub whole: &'a (dyn Fn(usize) -> u64 + Sync),
+}
 
 /// Items per worker under which more threads cost more than they give.
 const MIN_PART: usize = 8192;
 
 impl RadixSort {
-    /// Sorts `0 .. n` by `key(i) < 2^63` into `order`.
+    /// Sorts `0 .. n` by `key(i) < 2^63` into `order`. More than [`MOST`] fail a check.
     pub fn sort(
         &mut self,
         threads: &Threads,
@@ -49,16 +59,16 @@ impl RadixSort {
         key: impl Fn(usize) -> u64 + Sync,
         order: &mut Vec<u32>,
     ) {
-        self.sort_keys(threads, n, &|of| of.map(&key), order);
+        let upper = |of: [usize; LANES]| of.map(|i| key(i) >> LOW_BITS);
+        self.sort_keys(threads, n, &Keys { upper: &upper, whole: &key }, order);
     }
 
-    /// The same by the keys of [`LANES`] items at once; the last one may be asked for more than
-    /// once. Compiled once for all keys.
+    /// The same. Compiled once for all keys.
     #[inline(never)]
-    pub fn sort_keys(&mut self, threads: &Threads, n: usize, keys_of: &Keys, order: &mut Vec<u32>) {
-        for half in 0..2 {
-            threads.resize(&mut self.keys[half], n, AtomicU64::default);
-            threads.resize(&mut self.values[half], n, AtomicU32::default);
+    pub fn sort_keys(&mut self, threads: &Threads, n: usize, keys: &Keys, order: &mut Vec<u32>) {
+        assert!(n <= MOST, "a sort of {n}, of {MOST} at most");
+        for words in &mut self.words {
+            threads.resize(words, n, AtomicU64::default);
         }
         let n_workers = threads.count().min(n.div_ceil(MIN_PART)).max(1);
         while self.workers.len() < n_workers {
@@ -67,18 +77,17 @@ impl RadixSort {
         let workers = &mut self.workers[..n_workers];
         let part = n.div_ceil(n_workers).max(1);
         let range = |k: usize| (k * part).min(n)..((k + 1) * part).min(n);
-        let (keys, values) = (&self.keys, &self.values);
+        let words = &self.words;
 
         threads.each(workers, &|k, worker| {
             let end = range(k).end;
             for first in range(k).step_by(LANES) {
-                let some = keys_of(std::array::from_fn(|j| (first + j).min(end - 1)));
-                for (i, key) in (first..end).zip(some) {
-                    keys[0][i].store(key, Relaxed);
-                    values[0][i].store(i as u32, Relaxed);
+                let some = (keys.upper)(std::array::from_fn(|j| (first + j).min(end - 1)));
+                for (i, upper) in (first..end).zip(some) {
+                    words[0][i].store(upper << NUMBER_BITS | i as u64, Relaxed);
                 }
             }
-            count(&keys[0][range(k)], &mut worker.counts, 0..PASSES);
+            count(&words[0][range(k)], &mut worker.counts, 0..PASSES);
         });
         let mut from = 0;
         let mut moved = false;
@@ -90,9 +99,9 @@ impl RadixSort {
                 continue;
             }
             if moved && n_workers > 1 {
-                // Keys moved between workers: count this digit again where they are now.
+                // Words moved between workers: count this digit again where they are now.
                 threads.each(workers, &|k, worker| {
-                    count(&keys[from][range(k)], &mut worker.counts, pass..pass + 1)
+                    count(&words[from][range(k)], &mut worker.counts, pass..pass + 1)
                 });
             }
             moved = true;
@@ -107,37 +116,42 @@ impl RadixSort {
             let to = 1 - from;
             threads.each(workers, &|k, worker| {
                 let offsets = &mut worker.counts[pass];
-                for i in range(k) {
-                    let key = keys[from][i].load(Relaxed);
-                    let slot = &mut offsets[digit(key, pass)];
-                    keys[to][*slot as usize].store(key, Relaxed);
-                    values[to][*slot as usize].store(values[from][i].load(Relaxed), Relaxed);
+                for word in &words[from][range(k)] {
+                    let word = word.load(Relaxed);
+                    let slot = &mut offsets[digit(word, pass)];
+                    words[to][*slot as usize].store(word, Relaxed);
                     *slot += 1;
                 }
             });
             from = to;
         }
-        threads.each(workers, &|k, worker| {
-            sort_ties(&keys[from], &values[from], range(k), &mut worker.ties)
-        });
+        let sorted = &words[from];
+        threads
+            .each(workers, &|k, worker| sort_ties(sorted, range(k), keys.whole, &mut worker.ties));
         threads.resize(order, n, u32::default);
-        threads.fill(order, |i| values[from][i].load(Relaxed));
+        threads.fill(order, |i| number(sorted[i].load(Relaxed)));
     }
 }
 
 #[inline]
-fn digit(key: u64, pass: usize) -> usize {
-    (key >> (LOW_BITS + BITS * pass as u32)) as usize & (BINS - 1)
+fn digit(word: u64, pass: usize) -> usize {
+    (word >> (NUMBER_BITS + BITS * pass as u32)) as usize & (BINS - 1)
 }
 
-/// Sorts every run of keys with equal upper bits that begins in `range`.
+/// The number in a word.
+#[inline]
+fn number(word: u64) -> u32 {
+    word as u32 & ((1 << NUMBER_BITS) - 1)
+}
+
+/// Sorts every run of numbers with equal upper bits that begins in `range`, by whole keys.
 fn sort_ties(
-    keys: &[AtomicU64],
-    values: &[AtomicU32],
-    range: std::ops::Range<usize>,
+    words: &[AtomicU64],
+    range: Range<usize>,
+    key: &(dyn Fn(usize) -> u64 + Sync),
     ties: &mut Vec<(u64, u32)>,
 ) {
-    let upper = |i: usize| keys[i].load(Relaxed) >> LOW_BITS;
+    let upper = |i: usize| words[i].load(Relaxed) >> NUMBER_BITS;
     let mut i = range.start;
     // A run that began before this range is sorted by whoever has its beginning.
     while i > 0 && i < range.end && upper(i) == upper(i - 1) {
@@ -145,30 +159,31 @@ fn sort_ties(
     }
     while i < range.end {
         let mut end = i + 1;
-        while end < keys.len() && upper(end) == upper(i) {
+        while end < words.len() && upper(end) == upper(i) {
             end += 1;
         }
         if end - i > 1 {
+            let first = upper(i) << NUMBER_BITS;
+            let numbers = words[i..end].iter().map(|word| number(word.load(Relaxed)));
             ties.clear();
-            ties.extend((i..end).map(|k| (keys[k].load(Relaxed), values[k].load(Relaxed))));
+            ties.extend(numbers.map(|number| (key(number as usize), number)));
             ties.sort_unstable();
-            for (k, &(key, value)) in (i..end).zip(ties.iter()) {
-                keys[k].store(key, Relaxed);
-                values[k].store(value, Relaxed);
+            for (word, &(_, number)) in words[i..end].iter().zip(ties.iter()) {
+                word.store(first | number as u64, Relaxed);
             }
         }
         i = end;
     }
 }
 
-fn count(keys: &[AtomicU64], counts: &mut [[u32; BINS]; PASSES], passes: std::ops::Range<usize>) {
+fn count(words: &[AtomicU64], counts: &mut [[u32; BINS]; PASSES], passes: Range<usize>) {
     for pass in passes.clone() {
         counts[pass].fill(0);
     }
-    for key in keys {
-        let key = key.load(Relaxed);
+    for word in words {
+        let word = word.load(Relaxed);
         for pass in passes.clone() {
-            counts[pass][digit(key, pass)] += 1;
+            counts[pass][digit(word, pass)] += 1;
         }
     }
 }

@@ -31,6 +31,14 @@ pub fn morton63(cell: [u32; 3]) -> [u32; 2] {
     [low | (mid << 30), (mid >> 2) | (top << 28)]
 }
 
+/// Interleaves three 11-bit cell numbers to 33 bits: the upper bits of [`morton63`] of cells of
+/// `2^10` as many a side. Bits of a cell number above the 11th are ignored.
+#[inline]
+pub fn morton33(cell: [u32; 3]) -> u64 {
+    let top = ((cell[0] >> 10 & 1) << 2) | ((cell[1] >> 10 & 1) << 1) | (cell[2] >> 10 & 1);
+    (top as u64) << 30 | morton30(cell) as u64
+}
+
 /// Maps centres of boxes inside `scene` to cell numbers of a cubic grid with `2^bits` cells a side.
 ///
 /// Cells are a means of ordering: rounding may put a point into a neighbouring cell, never outside
@@ -114,6 +122,7 @@ mod tests {
             assert_eq!(morton30(cell) as u64, interleave(cell, 10), "{cell:?}");
             let [low, high] = morton63(cell);
             assert_eq!((high as u64) << 32 | low as u64, interleave(cell, 21), "{cell:?}");
+            assert_eq!(morton33(cell), interleave(cell, 11), "{cell:?}");
         }
     }
 

@@ -2,10 +2,12 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::hilbert_code::{BITS, hilbert_codes, turned_octants};
+use crate::broad_phase::hilbert_code::{
+    BITS, UPPER_LEVELS, hilbert_codes, turned_octants, upper_morton,
+};
 use crate::broad_phase::marks::Marks;
 use crate::simd::WIDTH;
-use crate::sort::{LANES, RadixSort};
+use crate::sort::{Keys, LANES, LOW_BITS, RadixSort};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key::{self, Curve};
@@ -59,17 +61,23 @@ impl CurveOrder {
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
         let (curve, turned) = (self.curve, turned_octants());
-        let codes = |of: [usize; LANES]| match curve {
-            Curve::Hilbert => hilbert_codes(turned, of.map(|i| &boxes[i]), &grid),
-            Curve::Morton => of.map(|i| {
-                let [low, high] = morton_key::morton(i, boxes, &grid);
-                (high as u64) << 32 | low as u64
-            }),
+        let upper = |of: [usize; LANES]| match curve {
+            Curve::Hilbert => {
+                hilbert_codes::<UPPER_LEVELS, LANES>(turned, of.map(|i| &boxes[i]), &grid)
+            }
+            Curve::Morton => of.map(|i| upper_morton::<UPPER_LEVELS>(grid.cell(&boxes[i]))),
+        };
+        let whole = |i: usize| match curve {
+            Curve::Hilbert => hilbert_codes::<BITS, 1>(turned, [&boxes[i]], &grid)[0],
+            Curve::Morton => upper_morton::<BITS>(grid.cell(&boxes[i])),
         };
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
         let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;
         match (world, fixed) {
-            (None, None) => self.radix.sort_keys(threads, boxes.len(), &codes, order),
+            (None, None) => {
+                let keys = Keys { upper: &upper, whole: &whole };
+                self.radix.sort_keys(threads, boxes.len(), &keys, order);
+            }
             (None, Some(_)) if kept > 0 => {
                 // The others are all that is sorted, each once.
                 self.moving.clear();
@@ -78,18 +86,25 @@ impl CurveOrder {
                 self.still.clear();
                 self.still.extend_from_slice(&order[order.len() - kept..]);
                 let moving = &self.moving;
-                let keys = |of: [usize; LANES]| codes(of.map(|i| moving[i] as usize));
+                let keys = Keys {
+                    upper: &|of| upper(of.map(|i| moving[i] as usize)),
+                    whole: &|i| whole(moving[i] as usize),
+                };
                 self.radix.sort_keys(threads, moving.len(), &keys, order);
                 threads.update(order, |i| moving[i as usize]);
                 order.extend_from_slice(&self.still);
             }
             _ => {
-                let keys = |of: [usize; LANES]| {
-                    let codes = codes(of);
-                    std::array::from_fn(|k| {
-                        let world = world.map_or(0, |world| world(of[k]) as u64);
-                        (world << 1 | is_fixed(of[k])) << (62 - bits) | codes[k] >> (1 + bits)
-                    })
+                // Bits of the world and whether the box stands still before those of the code.
+                let before = |i: usize| world.map_or(0, |world| world(i) as u64) << 1 | is_fixed(i);
+                let keys = Keys {
+                    upper: &|of| {
+                        let codes = upper(of);
+                        std::array::from_fn(|k| {
+                            before(of[k]) << (62 - LOW_BITS - bits) | codes[k] >> (1 + bits)
+                        })
+                    },
+                    whole: &|i| before(i) << (62 - bits) | whole(i) >> (1 + bits),
                 };
                 self.radix.sort_keys(threads, boxes.len(), &keys, order);
             }

@@ -3,12 +3,15 @@
 //! Twin: on a GPU `hilbert_cell` of the core's `math/hilbert.rs`, level by level: the same codes,
 //! without a table.
 
+use crate::sort::LOW_BITS;
 use ccd_core::Aabb;
-use ccd_core::math::morton::{MortonGrid, morton63};
+use ccd_core::math::morton::{MortonGrid, morton33, morton63};
 use std::sync::LazyLock;
 
 /// Bits an axis of a code.
 pub const BITS: u32 = 21;
+/// Levels of the bits that are sorted digit by digit.
+pub const UPPER_LEVELS: u32 = BITS - LOW_BITS / 3;
 
 /// How what is below an octant is turned: from which axis each of the three coordinates is taken,
 /// and whether it is inverted; as a number below 48.
@@ -36,27 +39,33 @@ pub fn turned_octants() -> &'static Turned {
     &TURNED
 }
 
-/// The Hilbert codes of the cells of boxes' centres, on a grid of [`BITS`] an axis. Each look into
-/// the table waits for the one before, not for those of other boxes.
+/// The Hilbert codes of the cells of boxes' centres, on a grid of [`BITS`] an axis: three bits of
+/// each of the upper levels, all of which there are [`BITS`]. Each look into the table waits for
+/// the one before, not for those of other boxes.
 #[inline(never)]
-pub fn hilbert_codes<const K: usize>(
+pub fn hilbert_codes<const LEVELS: u32, const K: usize>(
     turned: &Turned,
     boxes: [&Aabb; K],
     grid: &MortonGrid,
 ) -> [u64; K] {
-    hilbert63(
-        turned,
-        boxes.map(|aabb| {
-            let [low, high] = morton63(grid.cell(aabb));
-            (high as u64) << 32 | low as u64
-        }),
-    )
+    let morton = boxes.map(|aabb| upper_morton::<LEVELS>(grid.cell(aabb)));
+    hilbert::<LEVELS, K>(turned, morton)
 }
 
-/// The Hilbert codes of the cells with these Morton codes.
-fn hilbert63<const K: usize>(turned: &Turned, morton: [u64; K]) -> [u64; K] {
+/// Three bits of each of the upper levels of a cell's Morton code, [`UPPER_LEVELS`] or all.
+#[inline]
+pub fn upper_morton<const LEVELS: u32>(cell: [u32; 3]) -> u64 {
+    if LEVELS == UPPER_LEVELS {
+        return morton33(cell.map(|k| k >> (BITS - UPPER_LEVELS)));
+    }
+    let [low, high] = morton63(cell);
+    (high as u64) << 32 | low as u64
+}
+
+/// The Hilbert codes of the cells with these Morton codes, of an odd number of levels.
+fn hilbert<const LEVELS: u32, const K: usize>(turned: &Turned, morton: [u64; K]) -> [u64; K] {
     let (mut found, mut codes) = ([0; K], [0; K]);
-    for two in (0..BITS / 2).rev() {
+    for two in (0..LEVELS / 2).rev() {
         for k in 0..K {
             let octants = (morton[k] >> (6 * two + 3)) as usize & 63;
             found[k] = turned[(found[k] & (63 << 6)) | octants] as usize;
@@ -134,19 +143,16 @@ mod tests {
 
     #[test]
     fn codes_are_those_of_the_core() {
-        let code = |cell: [u32; 3]| {
-            let [low, high] = morton63(cell);
-            (high as u64) << 32 | low as u64
-        };
+        let code = upper_morton::<BITS>;
         let (mut unit, turned) = (random(5), turned_octants());
         for i in 0..20_000 {
             // Of all sizes.
             let cell = [(); 3].map(|()| (unit() * 2_097_152.0) as u32 >> (i % 21));
-            assert_eq!(
-                hilbert63(turned, [code(cell)]),
-                [code(hilbert_cell(cell, BITS))],
-                "{cell:?}"
-            );
+            let want = code(hilbert_cell(cell, BITS));
+            assert_eq!(hilbert::<BITS, 1>(turned, [code(cell)]), [want], "{cell:?}");
+            let upper = upper_morton::<UPPER_LEVELS>(cell);
+            assert_eq!(upper, code(cell) >> LOW_BITS, "{cell:?}");
+            assert_eq!(hilbert::<UPPER_LEVELS, 1>(turned, [upper]), [want >> LOW_BITS], "{cell:?}");
         }
     }
 

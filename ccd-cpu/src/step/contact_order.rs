@@ -1,6 +1,6 @@
 //! Contacts in their canonical order: by kind, `a`, `b`, sorted as numbers rather than compared.
 
-use crate::sort::RadixSort;
+use crate::sort::{self, RadixSort};
 use crate::threads::Threads;
 use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::mesh::Mesh;
@@ -45,7 +45,7 @@ impl ContactOrder {
             of(&lists[list])[i - first[list]]
         };
         // Comparing takes no memory.
-        if n < FEWEST || threads.stop.is_limited() {
+        if n < FEWEST || n > sort::MOST || threads.stop.is_limited() {
             contacts.extend((0..n).map(any));
             threads.sort(contacts, |c: &Contact| (c.kind, c.a, c.b));
             return;

@@ -1,5 +1,5 @@
 //! A stack in a thread's own memory, in which nothing is written before it is pushed: to write
-//! zeros into 31 words first took a GPU a sixth of a traversal's time (benches/NOTES.md).
+//! zeros into 31 words first took a GPU a fifth of a traversal's time (benches/NOTES.md).
 
 use core::mem::MaybeUninit;
 

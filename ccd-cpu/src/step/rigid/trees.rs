@@ -1,7 +1,7 @@
 //! Trees of bodies that move rigidly, from positions before any pose.
 
 use super::body::Body;
-use crate::broad_phase::hilbert_code::{BITS, hilbert_codes, turned_octants};
+use crate::broad_phase::hilbert_code::{BITS, UPPER_LEVELS, hilbert_codes, turned_octants};
 use crate::simd::WIDTH;
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -19,8 +19,8 @@ const NONE: u32 = u32::MAX;
 
 /// The upper 30 bits of the Hilbert code of a box's centre.
 fn code_of(aabb: &Aabb, grid: &MortonGrid) -> u32 {
-    let [code] = hilbert_codes(turned_octants(), [aabb], grid);
-    (code >> 33) as u32
+    let [code] = hilbert_codes::<UPPER_LEVELS, 1>(turned_octants(), [aabb], grid);
+    (code >> 3) as u32
 }
 
 /// The trees of some bodies, and the order of their features' leaves.
