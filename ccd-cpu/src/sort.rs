@@ -44,6 +44,7 @@ pub struct Keys<'a> {
     /// Their upper bits, those from [`LOW_BITS`] on. The last number may be asked for more than
     /// once.
     pub upper: &'a (dyn Fn([usize; LANES]) -> [u64; LANES] + Sync),
+    /// All bits of one.
     pub whole: &'a (dyn Fn(usize) -> u64 + Sync),
 }
 

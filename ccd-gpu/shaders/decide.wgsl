@@ -145,7 +145,7 @@ fn function_(param: array<f32, 3>, param_1: array<f32, 3>) -> array<f32, 3> {
 }
 
 fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: u32) -> array<f32, 3> {
-    var phi_675_: array<array<f32, 3>, 4>;
+    var phi_676_: array<array<f32, 3>, 4>;
 
     let _e9 = (param_2[0] - param_3[0]);
     let _e12 = (param_2[1] - param_3[1]);
@@ -162,7 +162,7 @@ fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32
         let _e251 = (param_2[2] - param_4[2]);
         let _e271 = ((((_e245 * param_3[0]) + (_e248 * param_3[1])) + (_e251 * param_3[2])) / (((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])));
         let _e275 = select(0f, select(1f, _e271, (_e271 < 1f)), (_e271 > 0f));
-        phi_675_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e155)), (param_2[1] - (param_3[1] * _e155)), (param_2[2] - (param_3[2] * _e155))), array<f32, 3>((param_2[0] - (param_4[0] * _e195)), (param_2[1] - (param_4[1] * _e195)), (param_2[2] - (param_4[2] * _e195))), array<f32, 3>((_e9 - (param_4[0] * _e232)), (_e12 - (param_4[1] * _e232)), (_e15 - (param_4[2] * _e232))), array<f32, 3>((_e245 - (param_3[0] * _e275)), (_e248 - (param_3[1] * _e275)), (_e251 - (param_3[2] * _e275))));
+        phi_676_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e155)), (param_2[1] - (param_3[1] * _e155)), (param_2[2] - (param_3[2] * _e155))), array<f32, 3>((param_2[0] - (param_4[0] * _e195)), (param_2[1] - (param_4[1] * _e195)), (param_2[2] - (param_4[2] * _e195))), array<f32, 3>((_e9 - (param_4[0] * _e232)), (_e12 - (param_4[1] * _e232)), (_e15 - (param_4[2] * _e232))), array<f32, 3>((_e245 - (param_3[0] * _e275)), (_e248 - (param_3[1] * _e275)), (_e251 - (param_3[2] * _e275))));
     } else {
         let _e19 = (param_4[0] - param_3[0]);
         let _e22 = (param_4[1] - param_3[1]);
@@ -174,9 +174,9 @@ fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32
         let _e74 = select(0f, select(1f, _e70, (_e70 < 1f)), (_e70 > 0f));
         let _e110 = ((((param_2[0] * param_4[0]) + (param_2[1] * param_4[1])) + (param_2[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         let _e114 = select(0f, select(1f, _e110, (_e110 < 1f)), (_e110 > 0f));
-        phi_675_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e74)), (param_2[1] - (param_3[1] * _e74)), (param_2[2] - (param_3[2] * _e74))), array<f32, 3>((param_2[0] - (param_4[0] * _e114)), (param_2[1] - (param_4[1] * _e114)), (param_2[2] - (param_4[2] * _e114))), _e47, _e47);
+        phi_676_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e74)), (param_2[1] - (param_3[1] * _e74)), (param_2[2] - (param_3[2] * _e74))), array<f32, 3>((param_2[0] - (param_4[0] * _e114)), (param_2[1] - (param_4[1] * _e114)), (param_2[2] - (param_4[2] * _e114))), _e47, _e47);
     }
-    let _e288 = phi_675_;
+    let _e288 = phi_676_;
     let _e291 = function_(_e288[0], _e288[1]);
     let _e293 = function_(_e291, _e288[2]);
     let _e295 = function_(_e293, _e288[3]);
@@ -184,12 +184,12 @@ fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32
 }
 
 fn function_2(param_6: array<f32, 3>, param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: u32) -> array<f32, 3> {
-    var phi_303_: bool;
-    var phi_336_: array<f32, 3>;
-    var phi_337_: bool;
-    var phi_338_: array<f32, 3>;
-    var phi_339_: bool;
-    var phi_344_: array<f32, 3>;
+    var phi_304_: bool;
+    var phi_337_: array<f32, 3>;
+    var phi_338_: bool;
+    var phi_339_: array<f32, 3>;
+    var phi_340_: bool;
+    var phi_345_: array<f32, 3>;
 
     let _e23 = (((param_7[0] * param_7[0]) + (param_7[1] * param_7[1])) + (param_7[2] * param_7[2]));
     let _e34 = (((param_7[0] * param_8[0]) + (param_7[1] * param_8[1])) + (param_7[2] * param_8[2]));
@@ -203,38 +203,38 @@ fn function_2(param_6: array<f32, 3>, param_7: array<f32, 3>, param_8: array<f32
         let _e89 = (_e74 >= 0f);
         let _e90 = (_e78 >= 0f);
         let _e91 = (_e74 <= 1f);
-        phi_303_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
+        phi_304_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
     } else {
         let _e80 = (_e74 >= 0f);
         let _e81 = (_e78 >= 0f);
-        phi_303_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
+        phi_304_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
     }
-    let _e101 = phi_303_;
+    let _e101 = phi_304_;
     if (_e70 > ((_e23 * _e45) * (0.000000059604645f * 64f))) {
         if _e101 {
-            phi_336_ = array<f32, 3>((param_6[0] - ((param_7[0] * _e74) + (param_8[0] * _e78))), (param_6[1] - ((param_7[1] * _e74) + (param_8[1] * _e78))), (param_6[2] - ((param_7[2] * _e74) + (param_8[2] * _e78))));
-            phi_337_ = false;
+            phi_337_ = array<f32, 3>((param_6[0] - ((param_7[0] * _e74) + (param_8[0] * _e78))), (param_6[1] - ((param_7[1] * _e74) + (param_8[1] * _e78))), (param_6[2] - ((param_7[2] * _e74) + (param_8[2] * _e78))));
+            phi_338_ = false;
         } else {
-            phi_336_ = array<f32, 3>();
-            phi_337_ = true;
+            phi_337_ = array<f32, 3>();
+            phi_338_ = true;
         }
-        let _e129 = phi_336_;
-        let _e131 = phi_337_;
-        phi_338_ = _e129;
-        phi_339_ = _e131;
+        let _e129 = phi_337_;
+        let _e131 = phi_338_;
+        phi_339_ = _e129;
+        phi_340_ = _e131;
     } else {
-        phi_338_ = array<f32, 3>();
-        phi_339_ = true;
+        phi_339_ = array<f32, 3>();
+        phi_340_ = true;
     }
-    let _e133 = phi_338_;
-    let _e135 = phi_339_;
+    let _e133 = phi_339_;
+    let _e135 = phi_340_;
     if _e135 {
         let _e136 = function_1(param_6, param_7, param_8, param_9);
-        phi_344_ = _e136;
+        phi_345_ = _e136;
     } else {
-        phi_344_ = _e133;
+        phi_345_ = _e133;
     }
-    let _e138 = phi_344_;
+    let _e138 = phi_345_;
     return _e138;
 }
 
@@ -246,9 +246,9 @@ fn function_3(param_10: f32) -> array<u32, 2> {
 }
 
 fn function_4(param_11: ptr<function, type_36>, param_12: f32, param_13: f32, param_14: f32) -> bool {
-    var phi_7292_: bool;
-    var phi_7293_: bool;
-    var phi_7298_: bool;
+    var phi_7294_: bool;
+    var phi_7295_: bool;
+    var phi_7300_: bool;
 
     let _e14 = (*param_11).member_3;
     let _e16 = (*param_11).member_3;
@@ -272,19 +272,19 @@ fn function_4(param_11: ptr<function, type_36>, param_12: f32, param_13: f32, pa
         let _e79 = (*param_11).member_1;
         if (select(_e43, -(_e43), (_e43 < 0f)) > _e79) {
             let _e84 = (select(_e69, -(_e69), (_e69 < 0f)) > (_e71 + _e73));
-            phi_7292_ = select(bool(), ((_e43 > 0f) == (_e69 > 0f)), _e84);
-            phi_7293_ = select(true, false, _e84);
+            phi_7294_ = select(bool(), ((_e43 > 0f) == (_e69 > 0f)), _e84);
+            phi_7295_ = select(true, false, _e84);
         } else {
-            phi_7292_ = bool();
-            phi_7293_ = true;
+            phi_7294_ = bool();
+            phi_7295_ = true;
         }
-        let _e91 = phi_7292_;
-        let _e93 = phi_7293_;
-        phi_7298_ = select(_e91, false, _e93);
+        let _e91 = phi_7294_;
+        let _e93 = phi_7295_;
+        phi_7300_ = select(_e91, false, _e93);
     } else {
-        phi_7298_ = false;
+        phi_7300_ = false;
     }
-    let _e96 = phi_7298_;
+    let _e96 = phi_7300_;
     return _e96;
 }
 
@@ -298,87 +298,86 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_6: array<f32, 4>;
     var local_7: type_29;
     var local_8: type_31;
-    var phi_785_: u32;
-    var phi_830_: u32;
-    var phi_833_: type_9;
-    var phi_1007_: type_23;
-    var phi_1142_: type_29;
-    var phi_1633_: bool;
-    var phi_1727_: type_32;
-    var phi_1728_: bool;
-    var phi_1729_: type_32;
-    var phi_1730_: bool;
-    var phi_1731_: type_32;
-    var phi_1732_: bool;
-    var phi_1737_: type_32;
-    var phi_2429_: bool;
-    var phi_2441_: f32;
-    var phi_2512_: type_14;
-    var phi_2515_: f32;
+    var phi_786_: u32;
+    var phi_831_: u32;
+    var phi_834_: type_9;
+    var phi_1008_: type_23;
+    var phi_1143_: type_29;
+    var phi_1634_: bool;
+    var phi_1728_: type_32;
+    var phi_1729_: bool;
+    var phi_1730_: type_32;
+    var phi_1731_: bool;
+    var phi_1732_: type_32;
+    var phi_1733_: bool;
+    var phi_1738_: type_32;
+    var phi_2430_: bool;
+    var phi_2442_: f32;
     var phi_2513_: type_14;
-    var phi_2556_: type_15;
     var phi_2516_: f32;
+    var phi_2514_: type_14;
+    var phi_2557_: type_15;
+    var phi_2517_: f32;
     var local_9: f32;
-    var phi_2569_: f32;
-    var phi_2600_: type_9;
-    var phi_2603_: u32;
-    var phi_2670_: u32;
-    var phi_2671_: u32;
+    var phi_2570_: f32;
+    var phi_2601_: type_9;
     var phi_2604_: u32;
+    var phi_2671_: u32;
     var phi_2672_: u32;
-    var phi_2728_: type_9;
-    var phi_2884_: type_38;
-    var phi_2885_: bool;
-    var phi_2886_: type_38;
-    var phi_2887_: bool;
-    var phi_2918_: type_9;
-    var phi_2921_: f32;
-    var phi_2923_: f32;
-    var phi_2925_: f32;
-    var phi_3035_: bool;
-    var phi_3042_: f32;
-    var phi_3043_: bool;
+    var phi_2605_: u32;
+    var phi_2673_: u32;
+    var phi_2729_: type_9;
+    var phi_2885_: type_38;
+    var phi_2886_: bool;
+    var phi_2887_: type_38;
+    var phi_2888_: bool;
+    var phi_2919_: type_9;
     var phi_2922_: f32;
     var phi_2924_: f32;
     var phi_2926_: f32;
-    var phi_3044_: f32;
-    var phi_3045_: bool;
+    var phi_3036_: bool;
+    var phi_3043_: f32;
+    var phi_3044_: bool;
+    var phi_2923_: f32;
+    var phi_2925_: f32;
+    var phi_2927_: f32;
+    var phi_3045_: f32;
     var phi_3046_: bool;
+    var phi_3047_: bool;
     var local_10: bool;
     var local_11: f32;
     var local_12: f32;
-    var phi_3051_: f32;
-    var phi_3067_: type_9;
-    var phi_3070_: f32;
-    var phi_3135_: f32;
-    var phi_3136_: bool;
+    var phi_3052_: f32;
+    var phi_3068_: type_9;
+    var phi_3071_: f32;
+    var phi_3136_: f32;
     var phi_3137_: bool;
     var phi_3138_: bool;
-    var phi_3139_: f32;
-    var phi_3071_: f32;
-    var phi_3140_: bool;
+    var phi_3139_: bool;
+    var phi_3140_: f32;
+    var phi_3072_: f32;
     var phi_3141_: bool;
     var phi_3142_: bool;
     var phi_3143_: bool;
+    var phi_3144_: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: f32;
-    var phi_3157_: f32;
-    var phi_3159_: type_38;
-    var phi_3996_: array<type_16, 4>;
-    var phi_4016_: type_9;
-    var phi_4019_: bool;
+    var phi_3158_: f32;
+    var phi_3160_: type_38;
+    var phi_3997_: array<type_16, 4>;
+    var phi_4017_: type_9;
     var phi_4020_: bool;
-    var phi_4071_: bool;
+    var phi_4021_: bool;
     var phi_4072_: bool;
+    var phi_4073_: bool;
     var local_18: bool;
     var local_19: bool;
-    var phi_4086_: u32;
     var phi_4087_: u32;
-    var phi_4088_: bool;
-    var phi_4119_: bool;
+    var phi_4088_: u32;
+    var phi_4089_: bool;
     var phi_4120_: bool;
     var phi_4121_: bool;
     var phi_4122_: bool;
@@ -390,155 +389,156 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4128_: bool;
     var phi_4129_: bool;
     var phi_4130_: bool;
-    var phi_4131_: type_38;
-    var phi_4132_: bool;
-    var phi_4133_: type_38;
-    var phi_4134_: bool;
+    var phi_4131_: bool;
+    var phi_4132_: type_38;
+    var phi_4133_: bool;
+    var phi_4134_: type_38;
     var phi_4135_: bool;
     var phi_4136_: bool;
     var phi_4137_: bool;
-    var phi_4138_: type_38;
-    var phi_4139_: bool;
-    var phi_4140_: type_38;
-    var phi_4141_: bool;
+    var phi_4138_: bool;
+    var phi_4139_: type_38;
+    var phi_4140_: bool;
+    var phi_4141_: type_38;
     var phi_4142_: bool;
     var phi_4143_: bool;
     var phi_4144_: bool;
     var phi_4145_: bool;
-    var phi_4153_: type_38;
-    var phi_4154_: bool;
-    var phi_4155_: type_38;
-    var phi_4156_: bool;
+    var phi_4146_: bool;
+    var phi_4154_: type_38;
+    var phi_4155_: bool;
+    var phi_4156_: type_38;
     var phi_4157_: bool;
     var phi_4158_: bool;
     var phi_4159_: bool;
     var phi_4160_: bool;
-    var phi_4583_: type_9;
-    var phi_4586_: f32;
-    var phi_4588_: f32;
-    var phi_4590_: f32;
-    var phi_4592_: f32;
-    var phi_4594_: bool;
-    var phi_4596_: u32;
-    var phi_4747_: array<f32, 3>;
-    var phi_4813_: type_14;
-    var phi_4816_: f32;
-    var phi_4814_: type_14;
-    var phi_4857_: type_15;
-    var phi_4817_: f32;
-    var local_20: f32;
-    var phi_4870_: f32;
-    var phi_4993_: type_30;
-    var phi_4994_: bool;
-    var phi_4995_: type_30;
-    var phi_4996_: bool;
-    var phi_5004_: type_30;
-    var phi_5175_: bool;
-    var phi_5176_: bool;
-    var phi_5177_: bool;
-    var phi_5178_: bool;
-    var phi_5179_: bool;
-    var phi_5180_: bool;
-    var phi_5481_: bool;
-    var phi_5482_: bool;
-    var phi_5483_: bool;
-    var phi_5484_: bool;
-    var phi_5485_: bool;
-    var phi_5486_: bool;
-    var phi_5494_: bool;
-    var phi_5601_: f32;
-    var phi_5602_: bool;
-    var phi_5603_: f32;
-    var phi_5604_: bool;
-    var phi_5605_: f32;
-    var phi_5606_: bool;
-    var phi_5607_: bool;
-    var phi_5669_: f32;
-    var phi_5670_: bool;
-    var phi_5671_: f32;
-    var phi_5672_: bool;
-    var phi_5673_: f32;
-    var phi_5674_: bool;
-    var phi_5675_: bool;
-    var phi_5742_: f32;
-    var phi_5743_: bool;
-    var phi_5744_: f32;
-    var phi_5745_: bool;
-    var phi_5746_: f32;
-    var phi_5747_: bool;
-    var phi_5748_: bool;
-    var phi_5810_: f32;
-    var phi_5811_: bool;
-    var phi_5812_: f32;
-    var phi_5813_: bool;
-    var phi_5814_: f32;
-    var phi_5815_: bool;
-    var phi_5816_: bool;
-    var phi_6345_: f32;
-    var phi_6346_: f32;
-    var phi_6347_: bool;
-    var phi_6349_: f32;
-    var phi_6350_: f32;
-    var phi_6351_: f32;
-    var phi_6353_: bool;
-    var phi_6354_: bool;
-    var phi_6356_: bool;
-    var phi_6357_: f32;
-    var phi_6358_: f32;
-    var phi_6359_: f32;
-    var phi_6361_: bool;
-    var phi_6362_: bool;
-    var phi_6363_: bool;
-    var phi_6365_: bool;
-    var phi_6366_: f32;
-    var phi_6367_: f32;
-    var phi_6368_: f32;
-    var phi_6370_: bool;
-    var phi_6371_: bool;
-    var phi_6372_: bool;
-    var phi_6374_: bool;
-    var phi_6707_: f32;
-    var phi_6709_: u32;
-    var phi_6710_: f32;
-    var phi_6711_: bool;
-    var phi_6712_: bool;
-    var phi_6713_: bool;
-    var phi_6714_: u32;
-    var phi_6715_: f32;
-    var phi_6716_: f32;
-    var phi_6717_: f32;
-    var phi_6718_: f32;
-    var phi_6719_: bool;
-    var phi_6720_: u32;
-    var phi_6721_: bool;
-    var phi_6722_: bool;
-    var phi_6723_: bool;
-    var phi_6724_: bool;
-    var phi_6726_: bool;
-    var phi_6754_: f32;
-    var phi_6755_: f32;
-    var phi_6756_: f32;
-    var phi_6757_: f32;
-    var phi_6758_: bool;
-    var phi_6759_: u32;
-    var phi_6760_: bool;
-    var phi_6761_: bool;
-    var phi_6762_: bool;
-    var phi_6763_: bool;
-    var phi_6765_: bool;
+    var phi_4161_: bool;
+    var phi_4584_: type_9;
     var phi_4587_: f32;
     var phi_4589_: f32;
     var phi_4591_: f32;
     var phi_4593_: f32;
     var phi_4595_: bool;
     var phi_4597_: u32;
-    var phi_6766_: f32;
-    var phi_6768_: bool;
+    var phi_4748_: array<f32, 3>;
+    var phi_4814_: type_14;
+    var phi_4817_: f32;
+    var phi_4815_: type_14;
+    var phi_4858_: type_15;
+    var phi_4818_: f32;
+    var local_20: f32;
+    var phi_4871_: f32;
+    var phi_4994_: type_30;
+    var phi_4995_: bool;
+    var phi_4996_: type_30;
+    var phi_4997_: bool;
+    var phi_5005_: type_30;
+    var phi_5176_: bool;
+    var phi_5177_: bool;
+    var phi_5178_: bool;
+    var phi_5179_: bool;
+    var phi_5180_: bool;
+    var phi_5181_: bool;
+    var phi_5482_: bool;
+    var phi_5483_: bool;
+    var phi_5484_: bool;
+    var phi_5485_: bool;
+    var phi_5486_: bool;
+    var phi_5487_: bool;
+    var phi_5495_: bool;
+    var phi_5602_: f32;
+    var phi_5603_: bool;
+    var phi_5604_: f32;
+    var phi_5605_: bool;
+    var phi_5606_: f32;
+    var phi_5607_: bool;
+    var phi_5608_: bool;
+    var phi_5670_: f32;
+    var phi_5671_: bool;
+    var phi_5672_: f32;
+    var phi_5673_: bool;
+    var phi_5674_: f32;
+    var phi_5675_: bool;
+    var phi_5676_: bool;
+    var phi_5743_: f32;
+    var phi_5744_: bool;
+    var phi_5745_: f32;
+    var phi_5746_: bool;
+    var phi_5747_: f32;
+    var phi_5748_: bool;
+    var phi_5749_: bool;
+    var phi_5811_: f32;
+    var phi_5812_: bool;
+    var phi_5813_: f32;
+    var phi_5814_: bool;
+    var phi_5815_: f32;
+    var phi_5816_: bool;
+    var phi_5817_: bool;
+    var phi_6346_: f32;
+    var phi_6347_: f32;
+    var phi_6348_: bool;
+    var phi_6350_: f32;
+    var phi_6351_: f32;
+    var phi_6352_: f32;
+    var phi_6354_: bool;
+    var phi_6355_: bool;
+    var phi_6357_: bool;
+    var phi_6358_: f32;
+    var phi_6359_: f32;
+    var phi_6360_: f32;
+    var phi_6362_: bool;
+    var phi_6363_: bool;
+    var phi_6364_: bool;
+    var phi_6366_: bool;
+    var phi_6367_: f32;
+    var phi_6368_: f32;
+    var phi_6369_: f32;
+    var phi_6371_: bool;
+    var phi_6372_: bool;
+    var phi_6373_: bool;
+    var phi_6375_: bool;
+    var phi_6708_: f32;
+    var phi_6710_: u32;
+    var phi_6711_: f32;
+    var phi_6712_: bool;
+    var phi_6713_: bool;
+    var phi_6714_: bool;
+    var phi_6715_: u32;
+    var phi_6716_: f32;
+    var phi_6717_: f32;
+    var phi_6718_: f32;
+    var phi_6719_: f32;
+    var phi_6720_: bool;
+    var phi_6721_: u32;
+    var phi_6722_: bool;
+    var phi_6723_: bool;
+    var phi_6724_: bool;
+    var phi_6725_: bool;
+    var phi_6727_: bool;
+    var phi_6755_: f32;
+    var phi_6756_: f32;
+    var phi_6757_: f32;
+    var phi_6758_: f32;
+    var phi_6759_: bool;
+    var phi_6760_: u32;
+    var phi_6761_: bool;
+    var phi_6762_: bool;
+    var phi_6763_: bool;
+    var phi_6764_: bool;
+    var phi_6766_: bool;
+    var phi_4588_: f32;
+    var phi_4590_: f32;
+    var phi_4592_: f32;
+    var phi_4594_: f32;
+    var phi_4596_: bool;
+    var phi_4598_: u32;
+    var phi_6767_: f32;
     var phi_6769_: bool;
     var phi_6770_: bool;
     var phi_6771_: bool;
-    var phi_6773_: bool;
+    var phi_6772_: bool;
     var phi_6774_: bool;
+    var phi_6775_: bool;
     var local_21: bool;
     var local_22: bool;
     var local_23: bool;
@@ -551,47 +551,47 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_30: bool;
     var local_31: f32;
     var local_32: f32;
-    var phi_6842_: f32;
-    var phi_6843_: bool;
+    var phi_6843_: f32;
     var phi_6844_: bool;
     var phi_6845_: bool;
     var phi_6846_: bool;
     var phi_6847_: bool;
-    var phi_6848_: type_38;
-    var phi_6849_: bool;
-    var phi_6850_: f32;
-    var phi_6851_: type_38;
-    var phi_6852_: bool;
+    var phi_6848_: bool;
+    var phi_6849_: type_38;
+    var phi_6850_: bool;
+    var phi_6851_: f32;
+    var phi_6852_: type_38;
     var phi_6853_: bool;
     var phi_6854_: bool;
     var phi_6855_: bool;
     var phi_6856_: bool;
     var phi_6857_: bool;
+    var phi_6858_: bool;
     var local_33: bool;
     var local_34: bool;
     var local_35: type_38;
     var local_36: f32;
     var local_37: f32;
-    var phi_6873_: type_33;
-    var phi_6874_: bool;
+    var phi_6874_: type_33;
+    var phi_6875_: bool;
     var local_38: f32;
-    var phi_6880_: type_33;
-    var phi_6881_: bool;
+    var phi_6881_: type_33;
     var phi_6882_: bool;
     var phi_6883_: bool;
     var phi_6884_: bool;
+    var phi_6885_: bool;
     var local_39: bool;
     var local_40: type_38;
-    var phi_6926_: type_33;
     var phi_6927_: type_33;
-    var phi_6928_: bool;
-    var phi_6972_: type_31;
-    var phi_7012_: bool;
-    var phi_7028_: bool;
-    var phi_7055_: type_9;
-    var phi_7084_: bool;
+    var phi_6928_: type_33;
+    var phi_6929_: bool;
+    var phi_6973_: type_31;
+    var phi_7013_: bool;
+    var phi_7029_: bool;
+    var phi_7056_: type_9;
     var phi_7085_: bool;
-    var phi_7128_: u32;
+    var phi_7086_: bool;
+    var phi_7130_: u32;
     var local_41: u32;
     var local_42: bool;
     var local_43: bool;
@@ -604,1920 +604,1920 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e99 = id_2;
-    let _e100 = n_2;
-    let _e101 = lane_2;
-    let _e112 = ((_e99.y * _e100.x) + _e99.x);
-    let _e115 = (_e100.x * _e100.y);
-    let _e118 = params.member.member_1.member_2;
-    let _e120 = input.member[0u];
-    let _e122 = select(_e120, _e118, (_e118 < _e120));
-    let _e124 = params.member.member_1.member_1;
-    if (_e122 > _e124) {
-        let _e127 = params.member.member_1.member_1;
-        phi_785_ = (_e122 - _e127);
+    let _e100 = id_2;
+    let _e101 = n_2;
+    let _e102 = lane_2;
+    let _e113 = ((_e100.y * _e101.x) + _e100.x);
+    let _e116 = (_e101.x * _e101.y);
+    let _e119 = params.member.member_1.member_2;
+    let _e121 = input.member[0u];
+    let _e123 = select(_e121, _e119, (_e119 < _e121));
+    let _e125 = params.member.member_1.member_1;
+    if (_e123 > _e125) {
+        let _e128 = params.member.member_1.member_1;
+        phi_786_ = (_e123 - _e128);
     } else {
-        phi_785_ = 0u;
+        phi_786_ = 0u;
     }
-    let _e130 = phi_785_;
-    let _e132 = params.member.member_1.member;
-    let _e134 = select(_e130, _e132, (_e132 < _e130));
-    let _e135 = (_e134 / 64u);
-    let _e139 = select(_e135, (_e135 + 1u), ((_e134 % 64u) > 0u));
-    if (_e139 > _e112) {
-        let _e141 = (_e139 - _e112);
-        if (_e115 == 0u) {
+    let _e131 = phi_786_;
+    let _e133 = params.member.member_1.member;
+    let _e135 = select(_e131, _e133, (_e133 < _e131));
+    let _e136 = (_e135 / 64u);
+    let _e140 = select(_e136, (_e136 + 1u), ((_e135 % 64u) > 0u));
+    if (_e140 > _e113) {
+        let _e142 = (_e140 - _e113);
+        if (_e116 == 0u) {
             return;
         }
-        let _e143 = (_e141 / _e115);
-        if (_e115 == 0u) {
+        let _e144 = (_e142 / _e116);
+        if (_e116 == 0u) {
             return;
         }
-        phi_830_ = select(_e143, (_e143 + 1u), ((_e141 % _e115) > 0u));
+        phi_831_ = select(_e144, (_e144 + 1u), ((_e142 % _e116) > 0u));
     } else {
-        phi_830_ = 0u;
+        phi_831_ = 0u;
     }
-    let _e150 = phi_830_;
-    phi_833_ = type_9(0u, _e150);
+    let _e151 = phi_831_;
+    phi_834_ = type_9(0u, _e151);
     loop {
-        let _e153 = phi_833_;
-        let _e156 = (_e153.member < _e153.member_1);
-        let _e169 = (bitcast<i32>(select(0u, 1u, _e156)) != 0i);
-        if _e169 {
-            let _e173 = (((_e112 + (select(type_9().member_1, _e153.member, _e156) * _e115)) * 64u) + _e101);
+        let _e154 = phi_834_;
+        let _e157 = (_e154.member < _e154.member_1);
+        let _e170 = (bitcast<i32>(select(0u, 1u, _e157)) != 0i);
+        if _e170 {
+            let _e174 = (((_e113 + (select(type_9().member_1, _e154.member, _e157) * _e116)) * 64u) + _e102);
             local_8 = type_31(0u, 0u, array<u32, 2>(0u, 0u), false);
-            if (_e173 < _e134) {
-                let _e177 = params.member.member_1.member_1;
-                let _e179 = (2u * (_e177 + _e173));
-                let _e182 = input.member[(4u + _e179)];
-                let _e185 = input.member[(_e179 + 5u)];
-                let _e190 = (_e185 & 2147483647u);
-                if (select(1u, 0u, ((_e185 & 2147483648u) == 0u)) == 0u) {
-                    let _e209 = params.member.member.member[1u];
-                    let _e212 = ((2u * _e209) + (3u * _e190));
-                    let _e214 = elements.member[_e212];
-                    let _e217 = elements.member[(_e212 + 1u)];
-                    let _e220 = elements.member[(_e212 + 2u)];
-                    phi_1007_ = type_23(0u, array<u32, 4>(_e182, _e214, _e217, _e220));
+            if (_e174 < _e135) {
+                let _e178 = params.member.member_1.member_1;
+                let _e180 = (2u * (_e178 + _e174));
+                let _e183 = input.member[(4u + _e180)];
+                let _e186 = input.member[(_e180 + 5u)];
+                let _e191 = (_e186 & 2147483647u);
+                if (select(1u, 0u, ((_e186 & 2147483648u) == 0u)) == 0u) {
+                    let _e210 = params.member.member.member[1u];
+                    let _e213 = ((2u * _e210) + (3u * _e191));
+                    let _e215 = elements.member[_e213];
+                    let _e218 = elements.member[(_e213 + 1u)];
+                    let _e221 = elements.member[(_e213 + 2u)];
+                    phi_1008_ = type_23(0u, array<u32, 4>(_e183, _e215, _e218, _e221));
                 } else {
-                    let _e193 = (2u * _e182);
-                    let _e195 = elements.member[_e193];
-                    let _e198 = elements.member[(_e193 + 1u)];
-                    let _e199 = (2u * _e190);
-                    let _e201 = elements.member[_e199];
-                    let _e204 = elements.member[(_e199 + 1u)];
-                    phi_1007_ = type_23(1u, array<u32, 4>(_e195, _e198, _e201, _e204));
+                    let _e194 = (2u * _e183);
+                    let _e196 = elements.member[_e194];
+                    let _e199 = elements.member[(_e194 + 1u)];
+                    let _e200 = (2u * _e191);
+                    let _e202 = elements.member[_e200];
+                    let _e205 = elements.member[(_e200 + 1u)];
+                    phi_1008_ = type_23(1u, array<u32, 4>(_e196, _e199, _e202, _e205));
                 }
-                let _e224 = phi_1007_;
-                let _e229 = paths.member[_e224.member_1[0]];
-                let _e244 = paths.member[_e224.member_1[1]];
-                let _e259 = paths.member[_e224.member_1[2]];
-                let _e274 = paths.member[_e224.member_1[3]];
-                let _e288 = params.member.member.member_4;
-                if (_e224.member != 0u) {
-                    phi_1142_ = type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e259.member.x - _e229.member.x), (_e259.member.y - _e229.member.y), (_e259.member.z - _e229.member.z)), array<f32, 3>((_e259.member_1.x - _e229.member_1.x), (_e259.member_1.y - _e229.member_1.y), (_e259.member_1.z - _e229.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e244.member.x - _e229.member.x), (_e244.member.y - _e229.member.y), (_e244.member.z - _e229.member.z)), array<f32, 3>((_e244.member_1.x - _e229.member_1.x), (_e244.member_1.y - _e229.member_1.y), (_e244.member_1.z - _e229.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e259.member.x - _e274.member.x), (_e259.member.y - _e274.member.y), (_e259.member.z - _e274.member.z)), array<f32, 3>((_e259.member_1.x - _e274.member_1.x), (_e259.member_1.y - _e274.member_1.y), (_e259.member_1.z - _e274.member_1.z))), (_e288 + _e288));
+                let _e225 = phi_1008_;
+                let _e230 = paths.member[_e225.member_1[0]];
+                let _e245 = paths.member[_e225.member_1[1]];
+                let _e260 = paths.member[_e225.member_1[2]];
+                let _e275 = paths.member[_e225.member_1[3]];
+                let _e289 = params.member.member.member_4;
+                if (_e225.member != 0u) {
+                    phi_1143_ = type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e260.member.x - _e230.member.x), (_e260.member.y - _e230.member.y), (_e260.member.z - _e230.member.z)), array<f32, 3>((_e260.member_1.x - _e230.member_1.x), (_e260.member_1.y - _e230.member_1.y), (_e260.member_1.z - _e230.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e245.member.x - _e230.member.x), (_e245.member.y - _e230.member.y), (_e245.member.z - _e230.member.z)), array<f32, 3>((_e245.member_1.x - _e230.member_1.x), (_e245.member_1.y - _e230.member_1.y), (_e245.member_1.z - _e230.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e260.member.x - _e275.member.x), (_e260.member.y - _e275.member.y), (_e260.member.z - _e275.member.z)), array<f32, 3>((_e260.member_1.x - _e275.member_1.x), (_e260.member_1.y - _e275.member_1.y), (_e260.member_1.z - _e275.member_1.z))), (_e289 + _e289));
                 } else {
-                    phi_1142_ = type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e229.member.x - _e244.member.x), (_e229.member.y - _e244.member.y), (_e229.member.z - _e244.member.z)), array<f32, 3>((_e229.member_1.x - _e244.member_1.x), (_e229.member_1.y - _e244.member_1.y), (_e229.member_1.z - _e244.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e259.member.x - _e244.member.x), (_e259.member.y - _e244.member.y), (_e259.member.z - _e244.member.z)), array<f32, 3>((_e259.member_1.x - _e244.member_1.x), (_e259.member_1.y - _e244.member_1.y), (_e259.member_1.z - _e244.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e274.member.x - _e244.member.x), (_e274.member.y - _e244.member.y), (_e274.member.z - _e244.member.z)), array<f32, 3>((_e274.member_1.x - _e244.member_1.x), (_e274.member_1.y - _e244.member_1.y), (_e274.member_1.z - _e244.member_1.z))), (_e288 + _e288));
+                    phi_1143_ = type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e230.member.x - _e245.member.x), (_e230.member.y - _e245.member.y), (_e230.member.z - _e245.member.z)), array<f32, 3>((_e230.member_1.x - _e245.member_1.x), (_e230.member_1.y - _e245.member_1.y), (_e230.member_1.z - _e245.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e260.member.x - _e245.member.x), (_e260.member.y - _e245.member.y), (_e260.member.z - _e245.member.z)), array<f32, 3>((_e260.member_1.x - _e245.member_1.x), (_e260.member_1.y - _e245.member_1.y), (_e260.member_1.z - _e245.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e275.member.x - _e245.member.x), (_e275.member.y - _e245.member.y), (_e275.member.z - _e245.member.z)), array<f32, 3>((_e275.member_1.x - _e245.member_1.x), (_e275.member_1.y - _e245.member_1.y), (_e275.member_1.z - _e245.member_1.z))), (_e289 + _e289));
                 }
-                let _e349 = phi_1142_;
-                let _e351 = params.member.member.member_11;
-                let _e353 = params.member.member.member_12;
-                let _e355 = params.member.member.member_13;
-                let _e357 = params.member.member.member_13;
-                let _e363 = select(_e349.member[0][0], -(_e349.member[0][0]), (_e349.member[0][0] < 0f));
-                let _e367 = select(_e349.member[0][1], -(_e349.member[0][1]), (_e349.member[0][1] < 0f));
-                let _e369 = select(_e367, _e363, (_e363 > _e367));
-                let _e373 = select(_e349.member[0][2], -(_e349.member[0][2]), (_e349.member[0][2] < 0f));
-                let _e375 = select(_e373, _e369, (_e369 > _e373));
-                let _e381 = select(_e349.member[1][0], -(_e349.member[1][0]), (_e349.member[1][0] < 0f));
-                let _e385 = select(_e349.member[1][1], -(_e349.member[1][1]), (_e349.member[1][1] < 0f));
-                let _e387 = select(_e385, _e381, (_e381 > _e385));
-                let _e391 = select(_e349.member[1][2], -(_e349.member[1][2]), (_e349.member[1][2] < 0f));
-                let _e393 = select(_e391, _e387, (_e387 > _e391));
-                let _e397 = (select(_e393, _e375, (_e375 > _e393)) + _e349.member_3);
-                let _e403 = select(_e349.member_1[0][0], -(_e349.member_1[0][0]), (_e349.member_1[0][0] < 0f));
-                let _e407 = select(_e349.member_1[0][1], -(_e349.member_1[0][1]), (_e349.member_1[0][1] < 0f));
-                let _e409 = select(_e407, _e403, (_e403 > _e407));
-                let _e413 = select(_e349.member_1[0][2], -(_e349.member_1[0][2]), (_e349.member_1[0][2] < 0f));
-                let _e415 = select(_e413, _e409, (_e409 > _e413));
-                let _e421 = select(_e349.member_1[1][0], -(_e349.member_1[1][0]), (_e349.member_1[1][0] < 0f));
-                let _e425 = select(_e349.member_1[1][1], -(_e349.member_1[1][1]), (_e349.member_1[1][1] < 0f));
-                let _e427 = select(_e425, _e421, (_e421 > _e425));
-                let _e431 = select(_e349.member_1[1][2], -(_e349.member_1[1][2]), (_e349.member_1[1][2] < 0f));
-                let _e433 = select(_e431, _e427, (_e427 > _e431));
-                let _e437 = (select(_e433, _e415, (_e415 > _e433)) + _e349.member_3);
-                let _e443 = select(_e349.member_2[0][0], -(_e349.member_2[0][0]), (_e349.member_2[0][0] < 0f));
-                let _e447 = select(_e349.member_2[0][1], -(_e349.member_2[0][1]), (_e349.member_2[0][1] < 0f));
-                let _e449 = select(_e447, _e443, (_e443 > _e447));
-                let _e453 = select(_e349.member_2[0][2], -(_e349.member_2[0][2]), (_e349.member_2[0][2] < 0f));
-                let _e455 = select(_e453, _e449, (_e449 > _e453));
-                let _e461 = select(_e349.member_2[1][0], -(_e349.member_2[1][0]), (_e349.member_2[1][0] < 0f));
-                let _e465 = select(_e349.member_2[1][1], -(_e349.member_2[1][1]), (_e349.member_2[1][1] < 0f));
-                let _e467 = select(_e465, _e461, (_e461 > _e465));
-                let _e471 = select(_e349.member_2[1][2], -(_e349.member_2[1][2]), (_e349.member_2[1][2] < 0f));
-                let _e473 = select(_e471, _e467, (_e467 > _e471));
-                let _e477 = (select(_e473, _e455, (_e455 > _e473)) + _e349.member_3);
-                let _e479 = select(_e437, _e397, (_e397 > _e437));
-                let _e481 = select(_e477, _e479, (_e479 > _e477));
-                let _e487 = select(_e349.member[0][0], -(_e349.member[0][0]), (_e349.member[0][0] < 0f));
-                let _e491 = select(_e349.member[0][1], -(_e349.member[0][1]), (_e349.member[0][1] < 0f));
-                let _e493 = select(_e491, _e487, (_e487 > _e491));
-                let _e497 = select(_e349.member[0][2], -(_e349.member[0][2]), (_e349.member[0][2] < 0f));
-                let _e499 = select(_e497, _e493, (_e493 > _e497));
-                let _e505 = select(_e349.member[1][0], -(_e349.member[1][0]), (_e349.member[1][0] < 0f));
-                let _e509 = select(_e349.member[1][1], -(_e349.member[1][1]), (_e349.member[1][1] < 0f));
-                let _e511 = select(_e509, _e505, (_e505 > _e509));
-                let _e515 = select(_e349.member[1][2], -(_e349.member[1][2]), (_e349.member[1][2] < 0f));
-                let _e517 = select(_e515, _e511, (_e511 > _e515));
-                let _e521 = (select(_e517, _e499, (_e499 > _e517)) + _e349.member_3);
-                let _e527 = select(_e349.member_1[0][0], -(_e349.member_1[0][0]), (_e349.member_1[0][0] < 0f));
-                let _e531 = select(_e349.member_1[0][1], -(_e349.member_1[0][1]), (_e349.member_1[0][1] < 0f));
-                let _e533 = select(_e531, _e527, (_e527 > _e531));
-                let _e537 = select(_e349.member_1[0][2], -(_e349.member_1[0][2]), (_e349.member_1[0][2] < 0f));
-                let _e539 = select(_e537, _e533, (_e533 > _e537));
-                let _e545 = select(_e349.member_1[1][0], -(_e349.member_1[1][0]), (_e349.member_1[1][0] < 0f));
-                let _e549 = select(_e349.member_1[1][1], -(_e349.member_1[1][1]), (_e349.member_1[1][1] < 0f));
-                let _e551 = select(_e549, _e545, (_e545 > _e549));
-                let _e555 = select(_e349.member_1[1][2], -(_e349.member_1[1][2]), (_e349.member_1[1][2] < 0f));
-                let _e557 = select(_e555, _e551, (_e551 > _e555));
-                let _e561 = (select(_e557, _e539, (_e539 > _e557)) + _e349.member_3);
-                let _e567 = select(_e349.member_2[0][0], -(_e349.member_2[0][0]), (_e349.member_2[0][0] < 0f));
-                let _e571 = select(_e349.member_2[0][1], -(_e349.member_2[0][1]), (_e349.member_2[0][1] < 0f));
-                let _e573 = select(_e571, _e567, (_e567 > _e571));
-                let _e577 = select(_e349.member_2[0][2], -(_e349.member_2[0][2]), (_e349.member_2[0][2] < 0f));
-                let _e579 = select(_e577, _e573, (_e573 > _e577));
-                let _e585 = select(_e349.member_2[1][0], -(_e349.member_2[1][0]), (_e349.member_2[1][0] < 0f));
-                let _e589 = select(_e349.member_2[1][1], -(_e349.member_2[1][1]), (_e349.member_2[1][1] < 0f));
-                let _e591 = select(_e589, _e585, (_e585 > _e589));
-                let _e595 = select(_e349.member_2[1][2], -(_e349.member_2[1][2]), (_e349.member_2[1][2] < 0f));
-                let _e597 = select(_e595, _e591, (_e591 > _e595));
-                let _e601 = (select(_e597, _e579, (_e579 > _e597)) + _e349.member_3);
-                let _e603 = select(_e561, _e521, (_e521 > _e561));
-                let _e605 = select(_e601, _e603, (_e603 > _e601));
-                if (_e605 <= 65536f) {
-                    phi_1633_ = (_e605 >= (1f / 65536f));
+                let _e350 = phi_1143_;
+                let _e352 = params.member.member.member_11;
+                let _e354 = params.member.member.member_12;
+                let _e356 = params.member.member.member_13;
+                let _e358 = params.member.member.member_13;
+                let _e364 = select(_e350.member[0][0], -(_e350.member[0][0]), (_e350.member[0][0] < 0f));
+                let _e368 = select(_e350.member[0][1], -(_e350.member[0][1]), (_e350.member[0][1] < 0f));
+                let _e370 = select(_e368, _e364, (_e364 > _e368));
+                let _e374 = select(_e350.member[0][2], -(_e350.member[0][2]), (_e350.member[0][2] < 0f));
+                let _e376 = select(_e374, _e370, (_e370 > _e374));
+                let _e382 = select(_e350.member[1][0], -(_e350.member[1][0]), (_e350.member[1][0] < 0f));
+                let _e386 = select(_e350.member[1][1], -(_e350.member[1][1]), (_e350.member[1][1] < 0f));
+                let _e388 = select(_e386, _e382, (_e382 > _e386));
+                let _e392 = select(_e350.member[1][2], -(_e350.member[1][2]), (_e350.member[1][2] < 0f));
+                let _e394 = select(_e392, _e388, (_e388 > _e392));
+                let _e398 = (select(_e394, _e376, (_e376 > _e394)) + _e350.member_3);
+                let _e404 = select(_e350.member_1[0][0], -(_e350.member_1[0][0]), (_e350.member_1[0][0] < 0f));
+                let _e408 = select(_e350.member_1[0][1], -(_e350.member_1[0][1]), (_e350.member_1[0][1] < 0f));
+                let _e410 = select(_e408, _e404, (_e404 > _e408));
+                let _e414 = select(_e350.member_1[0][2], -(_e350.member_1[0][2]), (_e350.member_1[0][2] < 0f));
+                let _e416 = select(_e414, _e410, (_e410 > _e414));
+                let _e422 = select(_e350.member_1[1][0], -(_e350.member_1[1][0]), (_e350.member_1[1][0] < 0f));
+                let _e426 = select(_e350.member_1[1][1], -(_e350.member_1[1][1]), (_e350.member_1[1][1] < 0f));
+                let _e428 = select(_e426, _e422, (_e422 > _e426));
+                let _e432 = select(_e350.member_1[1][2], -(_e350.member_1[1][2]), (_e350.member_1[1][2] < 0f));
+                let _e434 = select(_e432, _e428, (_e428 > _e432));
+                let _e438 = (select(_e434, _e416, (_e416 > _e434)) + _e350.member_3);
+                let _e444 = select(_e350.member_2[0][0], -(_e350.member_2[0][0]), (_e350.member_2[0][0] < 0f));
+                let _e448 = select(_e350.member_2[0][1], -(_e350.member_2[0][1]), (_e350.member_2[0][1] < 0f));
+                let _e450 = select(_e448, _e444, (_e444 > _e448));
+                let _e454 = select(_e350.member_2[0][2], -(_e350.member_2[0][2]), (_e350.member_2[0][2] < 0f));
+                let _e456 = select(_e454, _e450, (_e450 > _e454));
+                let _e462 = select(_e350.member_2[1][0], -(_e350.member_2[1][0]), (_e350.member_2[1][0] < 0f));
+                let _e466 = select(_e350.member_2[1][1], -(_e350.member_2[1][1]), (_e350.member_2[1][1] < 0f));
+                let _e468 = select(_e466, _e462, (_e462 > _e466));
+                let _e472 = select(_e350.member_2[1][2], -(_e350.member_2[1][2]), (_e350.member_2[1][2] < 0f));
+                let _e474 = select(_e472, _e468, (_e468 > _e472));
+                let _e478 = (select(_e474, _e456, (_e456 > _e474)) + _e350.member_3);
+                let _e480 = select(_e438, _e398, (_e398 > _e438));
+                let _e482 = select(_e478, _e480, (_e480 > _e478));
+                let _e488 = select(_e350.member[0][0], -(_e350.member[0][0]), (_e350.member[0][0] < 0f));
+                let _e492 = select(_e350.member[0][1], -(_e350.member[0][1]), (_e350.member[0][1] < 0f));
+                let _e494 = select(_e492, _e488, (_e488 > _e492));
+                let _e498 = select(_e350.member[0][2], -(_e350.member[0][2]), (_e350.member[0][2] < 0f));
+                let _e500 = select(_e498, _e494, (_e494 > _e498));
+                let _e506 = select(_e350.member[1][0], -(_e350.member[1][0]), (_e350.member[1][0] < 0f));
+                let _e510 = select(_e350.member[1][1], -(_e350.member[1][1]), (_e350.member[1][1] < 0f));
+                let _e512 = select(_e510, _e506, (_e506 > _e510));
+                let _e516 = select(_e350.member[1][2], -(_e350.member[1][2]), (_e350.member[1][2] < 0f));
+                let _e518 = select(_e516, _e512, (_e512 > _e516));
+                let _e522 = (select(_e518, _e500, (_e500 > _e518)) + _e350.member_3);
+                let _e528 = select(_e350.member_1[0][0], -(_e350.member_1[0][0]), (_e350.member_1[0][0] < 0f));
+                let _e532 = select(_e350.member_1[0][1], -(_e350.member_1[0][1]), (_e350.member_1[0][1] < 0f));
+                let _e534 = select(_e532, _e528, (_e528 > _e532));
+                let _e538 = select(_e350.member_1[0][2], -(_e350.member_1[0][2]), (_e350.member_1[0][2] < 0f));
+                let _e540 = select(_e538, _e534, (_e534 > _e538));
+                let _e546 = select(_e350.member_1[1][0], -(_e350.member_1[1][0]), (_e350.member_1[1][0] < 0f));
+                let _e550 = select(_e350.member_1[1][1], -(_e350.member_1[1][1]), (_e350.member_1[1][1] < 0f));
+                let _e552 = select(_e550, _e546, (_e546 > _e550));
+                let _e556 = select(_e350.member_1[1][2], -(_e350.member_1[1][2]), (_e350.member_1[1][2] < 0f));
+                let _e558 = select(_e556, _e552, (_e552 > _e556));
+                let _e562 = (select(_e558, _e540, (_e540 > _e558)) + _e350.member_3);
+                let _e568 = select(_e350.member_2[0][0], -(_e350.member_2[0][0]), (_e350.member_2[0][0] < 0f));
+                let _e572 = select(_e350.member_2[0][1], -(_e350.member_2[0][1]), (_e350.member_2[0][1] < 0f));
+                let _e574 = select(_e572, _e568, (_e568 > _e572));
+                let _e578 = select(_e350.member_2[0][2], -(_e350.member_2[0][2]), (_e350.member_2[0][2] < 0f));
+                let _e580 = select(_e578, _e574, (_e574 > _e578));
+                let _e586 = select(_e350.member_2[1][0], -(_e350.member_2[1][0]), (_e350.member_2[1][0] < 0f));
+                let _e590 = select(_e350.member_2[1][1], -(_e350.member_2[1][1]), (_e350.member_2[1][1] < 0f));
+                let _e592 = select(_e590, _e586, (_e586 > _e590));
+                let _e596 = select(_e350.member_2[1][2], -(_e350.member_2[1][2]), (_e350.member_2[1][2] < 0f));
+                let _e598 = select(_e596, _e592, (_e592 > _e596));
+                let _e602 = (select(_e598, _e580, (_e580 > _e598)) + _e350.member_3);
+                let _e604 = select(_e562, _e522, (_e522 > _e562));
+                let _e606 = select(_e602, _e604, (_e604 > _e602));
+                if (_e606 <= 65536f) {
+                    phi_1634_ = (_e606 >= (1f / 65536f));
                 } else {
-                    phi_1633_ = false;
+                    phi_1634_ = false;
                 }
-                let _e610 = phi_1633_;
-                if _e610 {
-                    phi_1731_ = type_32();
-                    phi_1732_ = true;
+                let _e611 = phi_1634_;
+                if _e611 {
+                    phi_1732_ = type_32();
+                    phi_1733_ = true;
                 } else {
-                    if (_e481 >= 0.000000000000000000000000000000000000011754944f) {
-                        if ((bitcast<u32>(_e481) & 2139095040u) != 2139095040u) {
-                            let _e617 = (2130706432u - (bitcast<u32>(_e481) & 2139095040u));
-                            let _e620 = bitcast<f32>(select(8388608u, _e617, (_e617 > 8388608u)));
-                            phi_1727_ = type_32(type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e349.member[0][0] * _e620), (_e349.member[0][1] * _e620), (_e349.member[0][2] * _e620)), array<f32, 3>((_e349.member[1][0] * _e620), (_e349.member[1][1] * _e620), (_e349.member[1][2] * _e620))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_1[0][0] * _e620), (_e349.member_1[0][1] * _e620), (_e349.member_1[0][2] * _e620)), array<f32, 3>((_e349.member_1[1][0] * _e620), (_e349.member_1[1][1] * _e620), (_e349.member_1[1][2] * _e620))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_2[0][0] * _e620), (_e349.member_2[0][1] * _e620), (_e349.member_2[0][2] * _e620)), array<f32, 3>((_e349.member_2[1][0] * _e620), (_e349.member_2[1][1] * _e620), (_e349.member_2[1][2] * _e620))), ((_e349.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e620)), (0f * _e620));
-                            phi_1728_ = false;
+                    if (_e482 >= 0.000000000000000000000000000000000000011754944f) {
+                        if ((bitcast<u32>(_e482) & 2139095040u) != 2139095040u) {
+                            let _e618 = (2130706432u - (bitcast<u32>(_e482) & 2139095040u));
+                            let _e621 = bitcast<f32>(select(8388608u, _e618, (_e618 > 8388608u)));
+                            phi_1728_ = type_32(type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e350.member[0][0] * _e621), (_e350.member[0][1] * _e621), (_e350.member[0][2] * _e621)), array<f32, 3>((_e350.member[1][0] * _e621), (_e350.member[1][1] * _e621), (_e350.member[1][2] * _e621))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_1[0][0] * _e621), (_e350.member_1[0][1] * _e621), (_e350.member_1[0][2] * _e621)), array<f32, 3>((_e350.member_1[1][0] * _e621), (_e350.member_1[1][1] * _e621), (_e350.member_1[1][2] * _e621))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_2[0][0] * _e621), (_e350.member_2[0][1] * _e621), (_e350.member_2[0][2] * _e621)), array<f32, 3>((_e350.member_2[1][0] * _e621), (_e350.member_2[1][1] * _e621), (_e350.member_2[1][2] * _e621))), ((_e350.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e621)), (0f * _e621));
+                            phi_1729_ = false;
                         } else {
-                            phi_1727_ = type_32();
-                            phi_1728_ = true;
+                            phi_1728_ = type_32();
+                            phi_1729_ = true;
                         }
-                        let _e686 = phi_1727_;
-                        let _e688 = phi_1728_;
-                        phi_1729_ = _e686;
-                        phi_1730_ = _e688;
+                        let _e687 = phi_1728_;
+                        let _e689 = phi_1729_;
+                        phi_1730_ = _e687;
+                        phi_1731_ = _e689;
                     } else {
-                        phi_1729_ = type_32();
-                        phi_1730_ = true;
+                        phi_1730_ = type_32();
+                        phi_1731_ = true;
                     }
-                    let _e690 = phi_1729_;
-                    let _e692 = phi_1730_;
-                    phi_1731_ = _e690;
-                    phi_1732_ = _e692;
+                    let _e691 = phi_1730_;
+                    let _e693 = phi_1731_;
+                    phi_1732_ = _e691;
+                    phi_1733_ = _e693;
                 }
-                let _e694 = phi_1731_;
-                let _e696 = phi_1732_;
-                if _e696 {
-                    phi_1737_ = type_32(_e349, 0f);
+                let _e695 = phi_1732_;
+                let _e697 = phi_1733_;
+                if _e697 {
+                    phi_1738_ = type_32(_e350, 0f);
                 } else {
-                    phi_1737_ = _e694;
+                    phi_1738_ = _e695;
                 }
-                let _e699 = phi_1737_;
-                local_7 = type_29(array<array<f32, 3>, 2>(array<f32, 3>(_e699.member.member[0][0], _e699.member.member[0][1], _e699.member.member[0][2]), array<f32, 3>(_e699.member.member[1][0], _e699.member.member[1][1], _e699.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e699.member.member_1[0][0], _e699.member.member_1[0][1], _e699.member.member_1[0][2]), array<f32, 3>(_e699.member.member_1[1][0], _e699.member.member_1[1][1], _e699.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e699.member.member_2[0][0], _e699.member.member_2[0][1], _e699.member.member_2[0][2]), array<f32, 3>(_e699.member.member_2[1][0], _e699.member.member_2[1][1], _e699.member.member_2[1][2])), _e699.member.member_3);
-                let _e741 = local_7.member_1[0u];
-                let _e747 = local_7.member_2[0u];
-                let _e753 = ((_e741[1] * _e747[2]) - (_e741[2] * _e747[1]));
-                let _e756 = ((_e741[2] * _e747[0]) - (_e741[0] * _e747[2]));
-                let _e759 = ((_e741[0] * _e747[1]) - (_e741[1] * _e747[0]));
-                let _e762 = local_7.member_1[1u];
-                let _e768 = local_7.member_2[1u];
-                let _e774 = ((_e762[1] * _e768[2]) - (_e762[2] * _e768[1]));
-                let _e777 = ((_e762[2] * _e768[0]) - (_e762[0] * _e768[2]));
-                let _e780 = ((_e762[0] * _e768[1]) - (_e762[1] * _e768[0]));
-                let _e783 = local_7.member_1[0u];
-                let _e789 = local_7.member_2[1u];
-                let _e804 = local_7.member_1[1u];
-                let _e810 = local_7.member_2[0u];
-                let _e823 = (((_e783[1] * _e789[2]) - (_e783[2] * _e789[1])) + ((_e804[1] * _e810[2]) - (_e804[2] * _e810[1])));
-                let _e824 = (((_e783[2] * _e789[0]) - (_e783[0] * _e789[2])) + ((_e804[2] * _e810[0]) - (_e804[0] * _e810[2])));
-                let _e825 = (((_e783[0] * _e789[1]) - (_e783[1] * _e789[0])) + ((_e804[0] * _e810[1]) - (_e804[1] * _e810[0])));
-                let _e828 = local_7.member[0u];
-                let _e836 = (((_e828[0] * _e753) + (_e828[1] * _e756)) + (_e828[2] * _e759));
-                let _e839 = local_7.member[1u];
-                let _e850 = local_7.member[0u];
-                let _e859 = ((((_e839[0] * _e753) + (_e839[1] * _e756)) + (_e839[2] * _e759)) + (((_e850[0] * _e823) + (_e850[1] * _e824)) + (_e850[2] * _e825)));
-                let _e862 = local_7.member[0u];
-                let _e873 = local_7.member[1u];
-                let _e882 = ((((_e862[0] * _e774) + (_e862[1] * _e777)) + (_e862[2] * _e780)) + (((_e873[0] * _e823) + (_e873[1] * _e824)) + (_e873[2] * _e825)));
-                let _e885 = local_7.member[1u];
-                let _e893 = (((_e885[0] * _e774) + (_e885[1] * _e777)) + (_e885[2] * _e780));
-                let _e896 = local_7.member[0u];
-                let _e902 = select(_e896[0], -(_e896[0]), (_e896[0] < 0f));
-                let _e905 = select(_e896[1], -(_e896[1]), (_e896[1] < 0f));
-                let _e907 = select(_e905, _e902, (_e902 > _e905));
-                let _e910 = select(_e896[2], -(_e896[2]), (_e896[2] < 0f));
-                let _e912 = select(_e910, _e907, (_e907 > _e910));
-                let _e915 = local_7.member[1u];
-                let _e921 = select(_e915[0], -(_e915[0]), (_e915[0] < 0f));
-                let _e924 = select(_e915[1], -(_e915[1]), (_e915[1] < 0f));
-                let _e926 = select(_e924, _e921, (_e921 > _e924));
-                let _e929 = select(_e915[2], -(_e915[2]), (_e915[2] < 0f));
-                let _e931 = select(_e929, _e926, (_e926 > _e929));
-                let _e935 = local_7.member_3;
-                let _e936 = (select(_e931, _e912, (_e912 > _e931)) + _e935);
-                let _e939 = local_7.member_1[0u];
-                let _e945 = select(_e939[0], -(_e939[0]), (_e939[0] < 0f));
-                let _e948 = select(_e939[1], -(_e939[1]), (_e939[1] < 0f));
-                let _e950 = select(_e948, _e945, (_e945 > _e948));
-                let _e953 = select(_e939[2], -(_e939[2]), (_e939[2] < 0f));
-                let _e955 = select(_e953, _e950, (_e950 > _e953));
-                let _e958 = local_7.member_1[1u];
-                let _e964 = select(_e958[0], -(_e958[0]), (_e958[0] < 0f));
-                let _e967 = select(_e958[1], -(_e958[1]), (_e958[1] < 0f));
-                let _e969 = select(_e967, _e964, (_e964 > _e967));
-                let _e972 = select(_e958[2], -(_e958[2]), (_e958[2] < 0f));
-                let _e974 = select(_e972, _e969, (_e969 > _e972));
-                let _e978 = local_7.member_3;
-                let _e979 = (select(_e974, _e955, (_e955 > _e974)) + _e978);
-                let _e982 = local_7.member_2[0u];
-                let _e988 = select(_e982[0], -(_e982[0]), (_e982[0] < 0f));
-                let _e991 = select(_e982[1], -(_e982[1]), (_e982[1] < 0f));
-                let _e993 = select(_e991, _e988, (_e988 > _e991));
-                let _e996 = select(_e982[2], -(_e982[2]), (_e982[2] < 0f));
-                let _e998 = select(_e996, _e993, (_e993 > _e996));
-                let _e1001 = local_7.member_2[1u];
-                let _e1007 = select(_e1001[0], -(_e1001[0]), (_e1001[0] < 0f));
-                let _e1010 = select(_e1001[1], -(_e1001[1]), (_e1001[1] < 0f));
-                let _e1012 = select(_e1010, _e1007, (_e1007 > _e1010));
-                let _e1015 = select(_e1001[2], -(_e1001[2]), (_e1001[2] < 0f));
-                let _e1017 = select(_e1015, _e1012, (_e1012 > _e1015));
-                let _e1021 = local_7.member_3;
-                let _e1022 = (select(_e1017, _e998, (_e998 > _e1017)) + _e1021);
-                let _e1031 = local_7.member_3;
-                let _e1046 = (((((_e936 * 8f) * ((_e979 * 8f) * _e1022)) * (0.000000059604645f * (524f / 64f))) + ((_e1031 * 19f) * ((_e936 * (_e979 + _e1022)) + (_e979 * _e1022)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e936) * ((1f + _e979) * (1f + _e1022)))));
-                let _e1047 = (_e836 * 3f);
-                let _e1048 = (_e893 * 3f);
-                let _e1050 = select(_e1048, _e1047, (_e1047 < _e1048));
-                let _e1052 = select(_e882, _e859, (_e859 < _e882));
-                let _e1054 = select(_e1052, _e1050, (_e1050 < _e1052));
-                let _e1056 = select(_e1048, _e1047, (_e1047 > _e1048));
-                let _e1058 = select(_e882, _e859, (_e859 > _e882));
-                let _e1061 = -(select(_e1058, _e1056, (_e1056 > _e1058)));
-                if (select(_e1061, _e1054, (_e1054 > _e1061)) > _e1046) {
-                    phi_6926_ = type_33(0u, type_33().member_1);
-                    phi_6927_ = type_33();
-                    phi_6928_ = true;
+                let _e700 = phi_1738_;
+                local_7 = type_29(array<array<f32, 3>, 2>(array<f32, 3>(_e700.member.member[0][0], _e700.member.member[0][1], _e700.member.member[0][2]), array<f32, 3>(_e700.member.member[1][0], _e700.member.member[1][1], _e700.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e700.member.member_1[0][0], _e700.member.member_1[0][1], _e700.member.member_1[0][2]), array<f32, 3>(_e700.member.member_1[1][0], _e700.member.member_1[1][1], _e700.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e700.member.member_2[0][0], _e700.member.member_2[0][1], _e700.member.member_2[0][2]), array<f32, 3>(_e700.member.member_2[1][0], _e700.member.member_2[1][1], _e700.member.member_2[1][2])), _e700.member.member_3);
+                let _e742 = local_7.member_1[0u];
+                let _e748 = local_7.member_2[0u];
+                let _e754 = ((_e742[1] * _e748[2]) - (_e742[2] * _e748[1]));
+                let _e757 = ((_e742[2] * _e748[0]) - (_e742[0] * _e748[2]));
+                let _e760 = ((_e742[0] * _e748[1]) - (_e742[1] * _e748[0]));
+                let _e763 = local_7.member_1[1u];
+                let _e769 = local_7.member_2[1u];
+                let _e775 = ((_e763[1] * _e769[2]) - (_e763[2] * _e769[1]));
+                let _e778 = ((_e763[2] * _e769[0]) - (_e763[0] * _e769[2]));
+                let _e781 = ((_e763[0] * _e769[1]) - (_e763[1] * _e769[0]));
+                let _e784 = local_7.member_1[0u];
+                let _e790 = local_7.member_2[1u];
+                let _e805 = local_7.member_1[1u];
+                let _e811 = local_7.member_2[0u];
+                let _e824 = (((_e784[1] * _e790[2]) - (_e784[2] * _e790[1])) + ((_e805[1] * _e811[2]) - (_e805[2] * _e811[1])));
+                let _e825 = (((_e784[2] * _e790[0]) - (_e784[0] * _e790[2])) + ((_e805[2] * _e811[0]) - (_e805[0] * _e811[2])));
+                let _e826 = (((_e784[0] * _e790[1]) - (_e784[1] * _e790[0])) + ((_e805[0] * _e811[1]) - (_e805[1] * _e811[0])));
+                let _e829 = local_7.member[0u];
+                let _e837 = (((_e829[0] * _e754) + (_e829[1] * _e757)) + (_e829[2] * _e760));
+                let _e840 = local_7.member[1u];
+                let _e851 = local_7.member[0u];
+                let _e860 = ((((_e840[0] * _e754) + (_e840[1] * _e757)) + (_e840[2] * _e760)) + (((_e851[0] * _e824) + (_e851[1] * _e825)) + (_e851[2] * _e826)));
+                let _e863 = local_7.member[0u];
+                let _e874 = local_7.member[1u];
+                let _e883 = ((((_e863[0] * _e775) + (_e863[1] * _e778)) + (_e863[2] * _e781)) + (((_e874[0] * _e824) + (_e874[1] * _e825)) + (_e874[2] * _e826)));
+                let _e886 = local_7.member[1u];
+                let _e894 = (((_e886[0] * _e775) + (_e886[1] * _e778)) + (_e886[2] * _e781));
+                let _e897 = local_7.member[0u];
+                let _e903 = select(_e897[0], -(_e897[0]), (_e897[0] < 0f));
+                let _e906 = select(_e897[1], -(_e897[1]), (_e897[1] < 0f));
+                let _e908 = select(_e906, _e903, (_e903 > _e906));
+                let _e911 = select(_e897[2], -(_e897[2]), (_e897[2] < 0f));
+                let _e913 = select(_e911, _e908, (_e908 > _e911));
+                let _e916 = local_7.member[1u];
+                let _e922 = select(_e916[0], -(_e916[0]), (_e916[0] < 0f));
+                let _e925 = select(_e916[1], -(_e916[1]), (_e916[1] < 0f));
+                let _e927 = select(_e925, _e922, (_e922 > _e925));
+                let _e930 = select(_e916[2], -(_e916[2]), (_e916[2] < 0f));
+                let _e932 = select(_e930, _e927, (_e927 > _e930));
+                let _e936 = local_7.member_3;
+                let _e937 = (select(_e932, _e913, (_e913 > _e932)) + _e936);
+                let _e940 = local_7.member_1[0u];
+                let _e946 = select(_e940[0], -(_e940[0]), (_e940[0] < 0f));
+                let _e949 = select(_e940[1], -(_e940[1]), (_e940[1] < 0f));
+                let _e951 = select(_e949, _e946, (_e946 > _e949));
+                let _e954 = select(_e940[2], -(_e940[2]), (_e940[2] < 0f));
+                let _e956 = select(_e954, _e951, (_e951 > _e954));
+                let _e959 = local_7.member_1[1u];
+                let _e965 = select(_e959[0], -(_e959[0]), (_e959[0] < 0f));
+                let _e968 = select(_e959[1], -(_e959[1]), (_e959[1] < 0f));
+                let _e970 = select(_e968, _e965, (_e965 > _e968));
+                let _e973 = select(_e959[2], -(_e959[2]), (_e959[2] < 0f));
+                let _e975 = select(_e973, _e970, (_e970 > _e973));
+                let _e979 = local_7.member_3;
+                let _e980 = (select(_e975, _e956, (_e956 > _e975)) + _e979);
+                let _e983 = local_7.member_2[0u];
+                let _e989 = select(_e983[0], -(_e983[0]), (_e983[0] < 0f));
+                let _e992 = select(_e983[1], -(_e983[1]), (_e983[1] < 0f));
+                let _e994 = select(_e992, _e989, (_e989 > _e992));
+                let _e997 = select(_e983[2], -(_e983[2]), (_e983[2] < 0f));
+                let _e999 = select(_e997, _e994, (_e994 > _e997));
+                let _e1002 = local_7.member_2[1u];
+                let _e1008 = select(_e1002[0], -(_e1002[0]), (_e1002[0] < 0f));
+                let _e1011 = select(_e1002[1], -(_e1002[1]), (_e1002[1] < 0f));
+                let _e1013 = select(_e1011, _e1008, (_e1008 > _e1011));
+                let _e1016 = select(_e1002[2], -(_e1002[2]), (_e1002[2] < 0f));
+                let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
+                let _e1022 = local_7.member_3;
+                let _e1023 = (select(_e1018, _e999, (_e999 > _e1018)) + _e1022);
+                let _e1032 = local_7.member_3;
+                let _e1047 = (((((_e937 * 8f) * ((_e980 * 8f) * _e1023)) * (0.000000059604645f * (524f / 64f))) + ((_e1032 * 19f) * ((_e937 * (_e980 + _e1023)) + (_e980 * _e1023)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e937) * ((1f + _e980) * (1f + _e1023)))));
+                let _e1048 = (_e837 * 3f);
+                let _e1049 = (_e894 * 3f);
+                let _e1051 = select(_e1049, _e1048, (_e1048 < _e1049));
+                let _e1053 = select(_e883, _e860, (_e860 < _e883));
+                let _e1055 = select(_e1053, _e1051, (_e1051 < _e1053));
+                let _e1057 = select(_e1049, _e1048, (_e1048 > _e1049));
+                let _e1059 = select(_e883, _e860, (_e860 > _e883));
+                let _e1062 = -(select(_e1059, _e1057, (_e1057 > _e1059)));
+                if (select(_e1062, _e1055, (_e1055 > _e1062)) > _e1047) {
+                    phi_6927_ = type_33(0u, type_33().member_1);
+                    phi_6928_ = type_33();
+                    phi_6929_ = true;
                 } else {
-                    let _e1068 = select(_e836, -(_e836), (_e836 < 0f));
-                    let _e1071 = select(_e859, -(_e859), (_e859 < 0f));
-                    let _e1073 = select(_e1071, _e1068, (_e1068 > _e1071));
-                    let _e1076 = select(_e882, -(_e882), (_e882 < 0f));
-                    let _e1079 = select(_e893, -(_e893), (_e893 < 0f));
-                    let _e1081 = select(_e1079, _e1076, (_e1076 > _e1079));
-                    let _e1083 = select(_e1081, _e1073, (_e1073 > _e1081));
-                    let _e1084 = (0.000000000000000000000000000000000000011754944f * 67108864f);
-                    if (_e1083 >= _e1084) {
-                        phi_2429_ = (_e1083 <= (1f / _e1084));
+                    let _e1069 = select(_e837, -(_e837), (_e837 < 0f));
+                    let _e1072 = select(_e860, -(_e860), (_e860 < 0f));
+                    let _e1074 = select(_e1072, _e1069, (_e1069 > _e1072));
+                    let _e1077 = select(_e883, -(_e883), (_e883 < 0f));
+                    let _e1080 = select(_e894, -(_e894), (_e894 < 0f));
+                    let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
+                    let _e1084 = select(_e1082, _e1074, (_e1074 > _e1082));
+                    let _e1085 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                    if (_e1084 >= _e1085) {
+                        phi_2430_ = (_e1084 <= (1f / _e1085));
                     } else {
-                        phi_2429_ = false;
+                        phi_2430_ = false;
                     }
-                    let _e1089 = phi_2429_;
-                    if _e1089 {
-                        phi_2441_ = (1f / _e1083);
+                    let _e1090 = phi_2430_;
+                    if _e1090 {
+                        phi_2442_ = (1f / _e1084);
                     } else {
-                        phi_2441_ = 0f;
+                        phi_2442_ = 0f;
                     }
-                    let _e1096 = phi_2441_;
-                    let _e1097 = (_e351 * 0.0625f);
-                    local_5 = type_36(array<f32, 4>(_e836, _e859, _e882, _e893), ((_e1046 * 0.34f) + (_e1083 * select(2f, (0.000000059604645f * 256f), _e1089))), _e1096, select(_e1097, 0.00000000000022737368f, (0.00000000000022737368f < _e1097)));
-                    let _e1104 = local_5.member[0u];
-                    let _e1107 = local_5.member[1u];
-                    let _e1110 = local_5.member[2u];
-                    let _e1113 = local_5.member[3u];
-                    let _e1120 = local_5.member_2;
-                    let _e1121 = ((_e1107 - (3f * _e1104)) * _e1120);
-                    let _e1123 = local_5.member_2;
-                    let _e1124 = ((_e1110 - _e1107) * _e1123);
-                    let _e1126 = local_5.member_2;
-                    let _e1127 = (((3f * _e1113) - _e1110) * _e1126);
+                    let _e1097 = phi_2442_;
+                    let _e1098 = (_e352 * 0.0625f);
+                    local_5 = type_36(array<f32, 4>(_e837, _e860, _e883, _e894), ((_e1047 * 0.34f) + (_e1084 * select(2f, (0.000000059604645f * 256f), _e1090))), _e1097, select(_e1098, 0.00000000000022737368f, (0.00000000000022737368f < _e1098)));
+                    let _e1105 = local_5.member[0u];
+                    let _e1108 = local_5.member[1u];
+                    let _e1111 = local_5.member[2u];
+                    let _e1114 = local_5.member[3u];
+                    let _e1121 = local_5.member_2;
+                    let _e1122 = ((_e1108 - (3f * _e1105)) * _e1121);
+                    let _e1124 = local_5.member_2;
+                    let _e1125 = ((_e1111 - _e1108) * _e1124);
+                    let _e1127 = local_5.member_2;
+                    let _e1128 = (((3f * _e1114) - _e1111) * _e1127);
                     local_3[0u] = 0f;
                     local_3[1u] = 1f;
                     local_3[2u] = 1f;
                     local_3[3u] = 1f;
-                    let _e1134 = ((_e1124 * _e1124) - (_e1121 * _e1127));
-                    if (_e1134 > 0f) {
-                        if (_e1134 <= 0.000000000000000000000000000000000000011754944f) {
-                            phi_2569_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1134 > 0f));
+                    let _e1135 = ((_e1125 * _e1125) - (_e1122 * _e1128));
+                    if (_e1135 > 0f) {
+                        if (_e1135 <= 0.000000000000000000000000000000000000011754944f) {
+                            phi_2570_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1135 > 0f));
                         } else {
-                            phi_2512_ = type_14(0i, 5i);
-                            phi_2515_ = bitcast<f32>(((bitcast<u32>(_e1134) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_2513_ = type_14(0i, 5i);
+                            phi_2516_ = bitcast<f32>(((bitcast<u32>(_e1135) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e1143 = phi_2512_;
-                                let _e1145 = phi_2515_;
-                                local_9 = _e1145;
-                                if (_e1143.member < _e1143.member_1) {
-                                    let _e1152 = (_e1143.member + 1i);
-                                    phi_2513_ = type_14(select(_e1152, type_15().member_1, select(false, true, ((false == (_e1152 > _e1143.member)) != false))), _e1143.member_1);
-                                    phi_2556_ = type_15(1u, _e1143.member);
+                                let _e1144 = phi_2513_;
+                                let _e1146 = phi_2516_;
+                                local_9 = _e1146;
+                                if (_e1144.member < _e1144.member_1) {
+                                    let _e1153 = (_e1144.member + 1i);
+                                    phi_2514_ = type_14(select(_e1153, type_15().member_1, select(false, true, ((false == (_e1153 > _e1144.member)) != false))), _e1144.member_1);
+                                    phi_2557_ = type_15(1u, _e1144.member);
                                 } else {
-                                    phi_2513_ = _e1143;
-                                    phi_2556_ = type_15(0u, type_15().member_1);
+                                    phi_2514_ = _e1144;
+                                    phi_2557_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e1163 = phi_2513_;
-                                let _e1165 = phi_2556_;
-                                let _e1168 = (bitcast<i32>(_e1165.member) != 0i);
-                                if _e1168 {
-                                    phi_2516_ = (0.5f * (_e1145 + (_e1134 / _e1145)));
+                                let _e1164 = phi_2514_;
+                                let _e1166 = phi_2557_;
+                                let _e1169 = (bitcast<i32>(_e1166.member) != 0i);
+                                if _e1169 {
+                                    phi_2517_ = (0.5f * (_e1146 + (_e1135 / _e1146)));
                                 } else {
-                                    phi_2516_ = f32();
+                                    phi_2517_ = f32();
                                 }
-                                let _e1173 = phi_2516_;
+                                let _e1174 = phi_2517_;
                                 continue;
                                 continuing {
-                                    phi_2512_ = _e1163;
-                                    phi_2515_ = _e1173;
-                                    break if !(_e1168);
+                                    phi_2513_ = _e1164;
+                                    phi_2516_ = _e1174;
+                                    break if !(_e1169);
                                 }
                             }
-                            let _e1178 = local_9;
-                            phi_2569_ = (_e1178 * (1f + (8f * 0.000000059604645f)));
+                            let _e1179 = local_9;
+                            phi_2570_ = (_e1179 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e1184 = phi_2569_;
-                        let _e1189 = -((_e1124 + select(_e1184, -(_e1184), (_e1124 < 0f))));
-                        local_4[0u] = (_e1189 / (_e1189 + _e1127));
-                        local_4[1u] = (_e1121 / (_e1121 + _e1189));
-                        let _e1198 = local_4[1u];
-                        let _e1199 = local_4[0u];
-                        if (_e1198 < _e1199) {
-                            let _e1202 = local_4[1u];
-                            let _e1204 = local_4[0u];
-                            local_4[0u] = _e1202;
-                            local_4[1u] = _e1204;
+                        let _e1185 = phi_2570_;
+                        let _e1190 = -((_e1125 + select(_e1185, -(_e1185), (_e1125 < 0f))));
+                        local_4[0u] = (_e1190 / (_e1190 + _e1128));
+                        local_4[1u] = (_e1122 / (_e1122 + _e1190));
+                        let _e1199 = local_4[1u];
+                        let _e1200 = local_4[0u];
+                        if (_e1199 < _e1200) {
+                            let _e1203 = local_4[1u];
+                            let _e1205 = local_4[0u];
+                            local_4[0u] = _e1203;
+                            local_4[1u] = _e1205;
                         }
-                        phi_2600_ = type_9(0u, 2u);
-                        phi_2603_ = 1u;
+                        phi_2601_ = type_9(0u, 2u);
+                        phi_2604_ = 1u;
                         loop {
-                            let _e1208 = phi_2600_;
-                            let _e1210 = phi_2603_;
-                            local_41 = _e1210;
-                            let _e1213 = (_e1208.member < _e1208.member_1);
-                            let _e1224 = select(type_9().member_1, _e1208.member, _e1213);
-                            let _e1226 = (bitcast<i32>(select(0u, 1u, _e1213)) != 0i);
-                            if _e1226 {
-                                let _e1228 = local_4[_e1224];
-                                if (_e1228 > 0f) {
-                                    let _e1231 = local_4[_e1224];
-                                    if (_e1231 < 1f) {
-                                        let _e1234 = local_4[_e1224];
-                                        local_3[_e1210] = _e1234;
-                                        phi_2670_ = (_e1210 + 1u);
+                            let _e1209 = phi_2601_;
+                            let _e1211 = phi_2604_;
+                            local_41 = _e1211;
+                            let _e1214 = (_e1209.member < _e1209.member_1);
+                            let _e1225 = select(type_9().member_1, _e1209.member, _e1214);
+                            let _e1227 = (bitcast<i32>(select(0u, 1u, _e1214)) != 0i);
+                            if _e1227 {
+                                let _e1229 = local_4[_e1225];
+                                if (_e1229 > 0f) {
+                                    let _e1232 = local_4[_e1225];
+                                    if (_e1232 < 1f) {
+                                        let _e1235 = local_4[_e1225];
+                                        local_3[_e1211] = _e1235;
+                                        phi_2671_ = (_e1211 + 1u);
                                     } else {
-                                        phi_2670_ = _e1210;
+                                        phi_2671_ = _e1211;
                                     }
-                                    let _e1238 = phi_2670_;
-                                    phi_2671_ = _e1238;
+                                    let _e1239 = phi_2671_;
+                                    phi_2672_ = _e1239;
                                 } else {
-                                    phi_2671_ = _e1210;
+                                    phi_2672_ = _e1211;
                                 }
-                                let _e1240 = phi_2671_;
-                                phi_2604_ = _e1240;
+                                let _e1241 = phi_2672_;
+                                phi_2605_ = _e1241;
                             } else {
-                                phi_2604_ = u32();
+                                phi_2605_ = u32();
                             }
-                            let _e1242 = phi_2604_;
+                            let _e1243 = phi_2605_;
                             continue;
                             continuing {
-                                phi_2600_ = type_9(select(_e1208.member, (_e1208.member + 1u), _e1213), select(_e1208.member_1, _e1208.member_1, _e1213));
-                                phi_2603_ = _e1242;
-                                break if !(_e1226);
+                                phi_2601_ = type_9(select(_e1209.member, (_e1209.member + 1u), _e1214), select(_e1209.member_1, _e1209.member_1, _e1214));
+                                phi_2604_ = _e1243;
+                                break if !(_e1227);
                             }
                         }
-                        let _e3884 = local_41;
-                        phi_2672_ = _e3884;
+                        let _e3886 = local_41;
+                        phi_2673_ = _e3886;
                     } else {
-                        phi_2672_ = 1u;
+                        phi_2673_ = 1u;
                     }
-                    let _e1245 = phi_2672_;
-                    local_3[_e1245] = 1f;
-                    let _e1247 = local_3;
-                    local_6 = _e1247;
-                    let _e1248 = (_e351 * 0.99f);
-                    let _e1249 = (1f - _e353);
-                    let _e1252 = local_5.member[0u];
-                    let _e1255 = local_5.member[1u];
-                    let _e1258 = local_5.member[2u];
-                    let _e1261 = local_5.member[3u];
-                    let _e1272 = ((((_e1252 * _e1249) + (_e1255 * _e353)) * (_e1249 * _e1249)) + (((_e1258 * _e1249) + (_e1261 * _e353)) * (_e353 * _e353)));
-                    let _e1277 = local_5.member_1;
-                    phi_2728_ = type_9(select(1u, 0u, !((select(_e1272, -(_e1272), (_e1272 < 0f)) > _e1277))), (_e1245 + 1u));
+                    let _e1246 = phi_2673_;
+                    local_3[_e1246] = 1f;
+                    let _e1248 = local_3;
+                    local_6 = _e1248;
+                    let _e1249 = (_e352 * 0.99f);
+                    let _e1250 = (1f - _e354);
+                    let _e1253 = local_5.member[0u];
+                    let _e1256 = local_5.member[1u];
+                    let _e1259 = local_5.member[2u];
+                    let _e1262 = local_5.member[3u];
+                    let _e1273 = ((((_e1253 * _e1250) + (_e1256 * _e354)) * (_e1250 * _e1250)) + (((_e1259 * _e1250) + (_e1262 * _e354)) * (_e354 * _e354)));
+                    let _e1278 = local_5.member_1;
+                    phi_2729_ = type_9(select(1u, 0u, !((select(_e1273, -(_e1273), (_e1273 < 0f)) > _e1278))), (_e1246 + 1u));
                     loop {
-                        let _e1284 = phi_2728_;
-                        let _e1287 = (_e1284.member < _e1284.member_1);
-                        let _e1298 = select(type_9().member_1, _e1284.member, _e1287);
-                        if (bitcast<i32>(select(0u, 1u, _e1287)) != 0i) {
-                            if (_e1298 > 0u) {
-                                let _e1305 = local_6[(_e1298 - 1u)];
-                                let _e1307 = select(_e353, _e1305, (_e1305 > _e353));
-                                let _e1309 = local_6[_e1298];
-                                let _e1311 = select(_e355, _e1309, (_e1309 < _e355));
-                                if (_e1307 <= _e1311) {
-                                    let _e1313 = function_4((&local_5), _e357, _e1307, _e1311);
-                                    if _e1313 {
-                                        phi_4131_ = type_38();
-                                        phi_4132_ = bool();
-                                        phi_4133_ = type_38();
-                                        phi_4134_ = false;
+                        let _e1285 = phi_2729_;
+                        let _e1288 = (_e1285.member < _e1285.member_1);
+                        let _e1299 = select(type_9().member_1, _e1285.member, _e1288);
+                        if (bitcast<i32>(select(0u, 1u, _e1288)) != 0i) {
+                            if (_e1299 > 0u) {
+                                let _e1306 = local_6[(_e1299 - 1u)];
+                                let _e1308 = select(_e354, _e1306, (_e1306 > _e354));
+                                let _e1310 = local_6[_e1299];
+                                let _e1312 = select(_e356, _e1310, (_e1310 < _e356));
+                                if (_e1308 <= _e1312) {
+                                    let _e1314 = function_4((&local_5), _e358, _e1308, _e1312);
+                                    if _e1314 {
+                                        phi_4132_ = type_38();
+                                        phi_4133_ = bool();
+                                        phi_4134_ = type_38();
                                         phi_4135_ = false;
                                         phi_4136_ = false;
                                         phi_4137_ = false;
+                                        phi_4138_ = false;
                                     } else {
-                                        let _e1314 = (1f - _e1307);
-                                        let _e1317 = local_5.member[0u];
-                                        let _e1320 = local_5.member[1u];
-                                        let _e1323 = local_5.member[2u];
-                                        let _e1326 = local_5.member[3u];
-                                        let _e1337 = ((((_e1317 * _e1314) + (_e1320 * _e1307)) * (_e1314 * _e1314)) + (((_e1323 * _e1314) + (_e1326 * _e1307)) * (_e1307 * _e1307)));
-                                        let _e1338 = (1f - _e1311);
-                                        let _e1341 = local_5.member[0u];
-                                        let _e1344 = local_5.member[1u];
-                                        let _e1347 = local_5.member[2u];
-                                        let _e1350 = local_5.member[3u];
-                                        let _e1361 = ((((_e1341 * _e1338) + (_e1344 * _e1311)) * (_e1338 * _e1338)) + (((_e1347 * _e1338) + (_e1350 * _e1311)) * (_e1311 * _e1311)));
-                                        let _e1366 = local_5.member_1;
-                                        let _e1367 = (select(_e1337, -(_e1337), (_e1337 < 0f)) > _e1366);
-                                        let _e1372 = local_5.member_1;
-                                        let _e1373 = (select(_e1361, -(_e1361), (_e1361 < 0f)) > _e1372);
-                                        let _e1381 = select(select(bool(), select(bool(), ((_e1337 > 0f) != (_e1361 > 0f)), _e1373), _e1367), false, select(true, select(true, false, _e1373), _e1367));
-                                        if _e1367 {
-                                            if _e1373 {
-                                                phi_2884_ = type_38(select(1f, type_38().member, _e1381), select(0f, type_38().member_1, _e1381), select(_e1381, type_38().member_2, _e1381));
-                                                phi_2885_ = _e1381;
+                                        let _e1315 = (1f - _e1308);
+                                        let _e1318 = local_5.member[0u];
+                                        let _e1321 = local_5.member[1u];
+                                        let _e1324 = local_5.member[2u];
+                                        let _e1327 = local_5.member[3u];
+                                        let _e1338 = ((((_e1318 * _e1315) + (_e1321 * _e1308)) * (_e1315 * _e1315)) + (((_e1324 * _e1315) + (_e1327 * _e1308)) * (_e1308 * _e1308)));
+                                        let _e1339 = (1f - _e1312);
+                                        let _e1342 = local_5.member[0u];
+                                        let _e1345 = local_5.member[1u];
+                                        let _e1348 = local_5.member[2u];
+                                        let _e1351 = local_5.member[3u];
+                                        let _e1362 = ((((_e1342 * _e1339) + (_e1345 * _e1312)) * (_e1339 * _e1339)) + (((_e1348 * _e1339) + (_e1351 * _e1312)) * (_e1312 * _e1312)));
+                                        let _e1367 = local_5.member_1;
+                                        let _e1368 = (select(_e1338, -(_e1338), (_e1338 < 0f)) > _e1367);
+                                        let _e1373 = local_5.member_1;
+                                        let _e1374 = (select(_e1362, -(_e1362), (_e1362 < 0f)) > _e1373);
+                                        let _e1382 = select(select(bool(), select(bool(), ((_e1338 > 0f) != (_e1362 > 0f)), _e1374), _e1368), false, select(true, select(true, false, _e1374), _e1368));
+                                        if _e1368 {
+                                            if _e1374 {
+                                                phi_2885_ = type_38(select(1f, type_38().member, _e1382), select(0f, type_38().member_1, _e1382), select(_e1382, type_38().member_2, _e1382));
+                                                phi_2886_ = _e1382;
                                             } else {
-                                                phi_2884_ = type_38();
-                                                phi_2885_ = true;
+                                                phi_2885_ = type_38();
+                                                phi_2886_ = true;
                                             }
-                                            let _e1390 = phi_2884_;
-                                            let _e1392 = phi_2885_;
-                                            phi_2886_ = _e1390;
-                                            phi_2887_ = _e1392;
+                                            let _e1391 = phi_2885_;
+                                            let _e1393 = phi_2886_;
+                                            phi_2887_ = _e1391;
+                                            phi_2888_ = _e1393;
                                         } else {
-                                            phi_2886_ = type_38();
-                                            phi_2887_ = true;
+                                            phi_2887_ = type_38();
+                                            phi_2888_ = true;
                                         }
-                                        let _e1394 = phi_2886_;
-                                        let _e1396 = phi_2887_;
-                                        if _e1396 {
-                                            if _e1367 {
-                                                let _e1398 = select(1f, -1f, (_e1337 < 0f));
-                                                let _e1400 = local_5.member_3;
-                                                let _e1403 = local_5.member[0u];
-                                                let _e1406 = local_5.member[1u];
-                                                let _e1409 = local_5.member[2u];
-                                                let _e1412 = local_5.member[3u];
-                                                let _e1415 = (_e1409 - _e1406);
-                                                phi_2918_ = type_9(0u, 64u);
-                                                phi_2921_ = _e1311;
-                                                phi_2923_ = _e1307;
-                                                phi_2925_ = (0.5f * (_e1307 + _e1311));
+                                        let _e1395 = phi_2887_;
+                                        let _e1397 = phi_2888_;
+                                        if _e1397 {
+                                            if _e1368 {
+                                                let _e1399 = select(1f, -1f, (_e1338 < 0f));
+                                                let _e1401 = local_5.member_3;
+                                                let _e1404 = local_5.member[0u];
+                                                let _e1407 = local_5.member[1u];
+                                                let _e1410 = local_5.member[2u];
+                                                let _e1413 = local_5.member[3u];
+                                                let _e1416 = (_e1410 - _e1407);
+                                                phi_2919_ = type_9(0u, 64u);
+                                                phi_2922_ = _e1312;
+                                                phi_2924_ = _e1308;
+                                                phi_2926_ = (0.5f * (_e1308 + _e1312));
                                                 loop {
-                                                    let _e1421 = phi_2918_;
-                                                    let _e1423 = phi_2921_;
-                                                    let _e1425 = phi_2923_;
-                                                    let _e1427 = phi_2925_;
-                                                    local_12 = _e1425;
-                                                    let _e1430 = (_e1421.member < _e1421.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1430)) != 0i) {
-                                                        let _e1442 = (1f - _e1427);
-                                                        let _e1445 = local_5.member[0u];
-                                                        let _e1448 = local_5.member[1u];
-                                                        let _e1451 = local_5.member[2u];
-                                                        let _e1454 = local_5.member[3u];
-                                                        let _e1468 = local_5.member_1;
-                                                        let _e1469 = ((_e1398 * ((((_e1445 * _e1442) + (_e1448 * _e1427)) * (_e1442 * _e1442)) + (((_e1451 * _e1442) + (_e1454 * _e1427)) * (_e1427 * _e1427)))) - _e1468);
-                                                        let _e1470 = (_e1469 > 0f);
-                                                        let _e1471 = select(_e1427, _e1423, _e1470);
-                                                        let _e1472 = select(_e1425, _e1427, _e1470);
-                                                        let _e1474 = ((_e1471 - _e1472) > _e1400);
-                                                        if _e1474 {
-                                                            let _e1475 = (1f - _e1427);
-                                                            let _e1487 = (-(_e1469) / (_e1398 * (((((_e1406 - (3f * _e1403)) * _e1475) + (_e1415 * _e1427)) * _e1475) + (((_e1415 * _e1475) + (((3f * _e1412) - _e1409) * _e1427)) * _e1427))));
-                                                            let _e1494 = ((_e1427 + _e1487) + select(-((0.5f * _e1400)), (0.5f * _e1400), (_e1469 > 0f)));
-                                                            if (_e1494 > _e1472) {
-                                                                phi_3035_ = select(true, select(true, false, (select(_e1487, -(_e1487), (_e1487 < 0f)) < (0.5f * (_e1471 - _e1472)))), (_e1494 < _e1471));
+                                                    let _e1422 = phi_2919_;
+                                                    let _e1424 = phi_2922_;
+                                                    let _e1426 = phi_2924_;
+                                                    let _e1428 = phi_2926_;
+                                                    local_12 = _e1426;
+                                                    let _e1431 = (_e1422.member < _e1422.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1431)) != 0i) {
+                                                        let _e1443 = (1f - _e1428);
+                                                        let _e1446 = local_5.member[0u];
+                                                        let _e1449 = local_5.member[1u];
+                                                        let _e1452 = local_5.member[2u];
+                                                        let _e1455 = local_5.member[3u];
+                                                        let _e1469 = local_5.member_1;
+                                                        let _e1470 = ((_e1399 * ((((_e1446 * _e1443) + (_e1449 * _e1428)) * (_e1443 * _e1443)) + (((_e1452 * _e1443) + (_e1455 * _e1428)) * (_e1428 * _e1428)))) - _e1469);
+                                                        let _e1471 = (_e1470 > 0f);
+                                                        let _e1472 = select(_e1428, _e1424, _e1471);
+                                                        let _e1473 = select(_e1426, _e1428, _e1471);
+                                                        let _e1475 = ((_e1472 - _e1473) > _e1401);
+                                                        if _e1475 {
+                                                            let _e1476 = (1f - _e1428);
+                                                            let _e1488 = (-(_e1470) / (_e1399 * (((((_e1407 - (3f * _e1404)) * _e1476) + (_e1416 * _e1428)) * _e1476) + (((_e1416 * _e1476) + (((3f * _e1413) - _e1410) * _e1428)) * _e1428))));
+                                                            let _e1495 = ((_e1428 + _e1488) + select(-((0.5f * _e1401)), (0.5f * _e1401), (_e1470 > 0f)));
+                                                            if (_e1495 > _e1473) {
+                                                                phi_3036_ = select(true, select(true, false, (select(_e1488, -(_e1488), (_e1488 < 0f)) < (0.5f * (_e1472 - _e1473)))), (_e1495 < _e1472));
                                                             } else {
-                                                                phi_3035_ = true;
+                                                                phi_3036_ = true;
                                                             }
-                                                            let _e1506 = phi_3035_;
-                                                            phi_3042_ = select(_e1494, (0.5f * (_e1472 + _e1471)), _e1506);
-                                                            phi_3043_ = false;
+                                                            let _e1507 = phi_3036_;
+                                                            phi_3043_ = select(_e1495, (0.5f * (_e1473 + _e1472)), _e1507);
+                                                            phi_3044_ = false;
                                                         } else {
-                                                            phi_3042_ = f32();
-                                                            phi_3043_ = true;
+                                                            phi_3043_ = f32();
+                                                            phi_3044_ = true;
                                                         }
-                                                        let _e1511 = phi_3042_;
-                                                        let _e1513 = phi_3043_;
-                                                        phi_2922_ = _e1471;
-                                                        phi_2924_ = _e1472;
-                                                        phi_2926_ = _e1511;
-                                                        phi_3044_ = _e1472;
-                                                        phi_3045_ = _e1474;
-                                                        phi_3046_ = _e1513;
+                                                        let _e1512 = phi_3043_;
+                                                        let _e1514 = phi_3044_;
+                                                        phi_2923_ = _e1472;
+                                                        phi_2925_ = _e1473;
+                                                        phi_2927_ = _e1512;
+                                                        phi_3045_ = _e1473;
+                                                        phi_3046_ = _e1475;
+                                                        phi_3047_ = _e1514;
                                                     } else {
-                                                        phi_2922_ = f32();
-                                                        phi_2924_ = f32();
-                                                        phi_2926_ = f32();
-                                                        phi_3044_ = f32();
-                                                        phi_3045_ = false;
+                                                        phi_2923_ = f32();
+                                                        phi_2925_ = f32();
+                                                        phi_2927_ = f32();
+                                                        phi_3045_ = f32();
                                                         phi_3046_ = false;
+                                                        phi_3047_ = false;
                                                     }
-                                                    let _e1515 = phi_2922_;
-                                                    let _e1517 = phi_2924_;
-                                                    let _e1519 = phi_2926_;
-                                                    let _e1521 = phi_3044_;
-                                                    let _e1523 = phi_3045_;
-                                                    let _e1525 = phi_3046_;
-                                                    local_10 = _e1525;
-                                                    local_11 = _e1521;
+                                                    let _e1516 = phi_2923_;
+                                                    let _e1518 = phi_2925_;
+                                                    let _e1520 = phi_2927_;
+                                                    let _e1522 = phi_3045_;
+                                                    let _e1524 = phi_3046_;
+                                                    let _e1526 = phi_3047_;
+                                                    local_10 = _e1526;
+                                                    local_11 = _e1522;
                                                     continue;
                                                     continuing {
-                                                        phi_2918_ = type_9(select(_e1421.member, (_e1421.member + 1u), _e1430), select(_e1421.member_1, _e1421.member_1, _e1430));
-                                                        phi_2921_ = _e1515;
-                                                        phi_2923_ = _e1517;
-                                                        phi_2925_ = _e1519;
-                                                        break if !(_e1523);
+                                                        phi_2919_ = type_9(select(_e1422.member, (_e1422.member + 1u), _e1431), select(_e1422.member_1, _e1422.member_1, _e1431));
+                                                        phi_2922_ = _e1516;
+                                                        phi_2924_ = _e1518;
+                                                        phi_2926_ = _e1520;
+                                                        break if !(_e1524);
                                                     }
                                                 }
-                                                let _e1528 = local_10;
-                                                let _e1530 = local_11;
-                                                let _e1532 = local_12;
-                                                phi_3051_ = select(_e1532, _e1530, _e1528);
+                                                let _e1529 = local_10;
+                                                let _e1531 = local_11;
+                                                let _e1533 = local_12;
+                                                phi_3052_ = select(_e1533, _e1531, _e1529);
                                             } else {
-                                                phi_3051_ = _e1307;
+                                                phi_3052_ = _e1308;
                                             }
-                                            let _e1535 = phi_3051_;
-                                            if _e1373 {
-                                                let _e1539 = local_5.member_3;
-                                                let _e1541 = local_5.member_3;
-                                                phi_3067_ = type_9(0u, 64u);
-                                                phi_3070_ = (_e1539 + _e1541);
+                                            let _e1536 = phi_3052_;
+                                            if _e1374 {
+                                                let _e1540 = local_5.member_3;
+                                                let _e1542 = local_5.member_3;
+                                                phi_3068_ = type_9(0u, 64u);
+                                                phi_3071_ = (_e1540 + _e1542);
                                                 loop {
-                                                    let _e1544 = phi_3067_;
-                                                    let _e1546 = phi_3070_;
-                                                    let _e1549 = (_e1544.member < _e1544.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1549)) != 0i) {
-                                                        let _e1561 = (_e1535 + _e1546);
-                                                        if (_e1561 < _e1311) {
-                                                            let _e1563 = (1f - _e1561);
-                                                            let _e1566 = local_5.member[0u];
-                                                            let _e1569 = local_5.member[1u];
-                                                            let _e1572 = local_5.member[2u];
-                                                            let _e1575 = local_5.member[3u];
-                                                            let _e1589 = local_5.member_1;
-                                                            let _e1590 = ((select(1f, -1f, (_e1361 < 0f)) * ((((_e1566 * _e1563) + (_e1569 * _e1561)) * (_e1563 * _e1563)) + (((_e1572 * _e1563) + (_e1575 * _e1561)) * (_e1561 * _e1561)))) > _e1589);
-                                                            phi_3135_ = select((_e1546 + _e1546), f32(), _e1590);
-                                                            phi_3136_ = select(true, false, _e1590);
-                                                            phi_3137_ = _e1590;
-                                                            phi_3138_ = false;
+                                                    let _e1545 = phi_3068_;
+                                                    let _e1547 = phi_3071_;
+                                                    let _e1550 = (_e1545.member < _e1545.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1550)) != 0i) {
+                                                        let _e1562 = (_e1536 + _e1547);
+                                                        if (_e1562 < _e1312) {
+                                                            let _e1564 = (1f - _e1562);
+                                                            let _e1567 = local_5.member[0u];
+                                                            let _e1570 = local_5.member[1u];
+                                                            let _e1573 = local_5.member[2u];
+                                                            let _e1576 = local_5.member[3u];
+                                                            let _e1590 = local_5.member_1;
+                                                            let _e1591 = ((select(1f, -1f, (_e1362 < 0f)) * ((((_e1567 * _e1564) + (_e1570 * _e1562)) * (_e1564 * _e1564)) + (((_e1573 * _e1564) + (_e1576 * _e1562)) * (_e1562 * _e1562)))) > _e1590);
+                                                            phi_3136_ = select((_e1547 + _e1547), f32(), _e1591);
+                                                            phi_3137_ = select(true, false, _e1591);
+                                                            phi_3138_ = _e1591;
+                                                            phi_3139_ = false;
                                                         } else {
-                                                            phi_3135_ = f32();
-                                                            phi_3136_ = false;
+                                                            phi_3136_ = f32();
                                                             phi_3137_ = false;
-                                                            phi_3138_ = true;
+                                                            phi_3138_ = false;
+                                                            phi_3139_ = true;
                                                         }
-                                                        let _e1595 = phi_3135_;
-                                                        let _e1597 = phi_3136_;
-                                                        let _e1599 = phi_3137_;
-                                                        let _e1601 = phi_3138_;
-                                                        phi_3139_ = _e1561;
-                                                        phi_3071_ = _e1595;
-                                                        phi_3140_ = _e1597;
-                                                        phi_3141_ = _e1599;
-                                                        phi_3142_ = _e1601;
-                                                        phi_3143_ = false;
+                                                        let _e1596 = phi_3136_;
+                                                        let _e1598 = phi_3137_;
+                                                        let _e1600 = phi_3138_;
+                                                        let _e1602 = phi_3139_;
+                                                        phi_3140_ = _e1562;
+                                                        phi_3072_ = _e1596;
+                                                        phi_3141_ = _e1598;
+                                                        phi_3142_ = _e1600;
+                                                        phi_3143_ = _e1602;
+                                                        phi_3144_ = false;
                                                     } else {
-                                                        phi_3139_ = f32();
-                                                        phi_3071_ = f32();
-                                                        phi_3140_ = false;
+                                                        phi_3140_ = f32();
+                                                        phi_3072_ = f32();
                                                         phi_3141_ = false;
                                                         phi_3142_ = false;
-                                                        phi_3143_ = true;
+                                                        phi_3143_ = false;
+                                                        phi_3144_ = true;
                                                     }
-                                                    let _e1603 = phi_3139_;
-                                                    let _e1605 = phi_3071_;
-                                                    let _e1607 = phi_3140_;
-                                                    let _e1609 = phi_3141_;
-                                                    let _e1611 = phi_3142_;
-                                                    let _e1613 = phi_3143_;
-                                                    local_13 = _e1609;
-                                                    local_14 = _e1611;
-                                                    local_15 = _e1609;
-                                                    local_16 = _e1613;
-                                                    local_17 = _e1603;
+                                                    let _e1604 = phi_3140_;
+                                                    let _e1606 = phi_3072_;
+                                                    let _e1608 = phi_3141_;
+                                                    let _e1610 = phi_3142_;
+                                                    let _e1612 = phi_3143_;
+                                                    let _e1614 = phi_3144_;
+                                                    local_13 = _e1610;
+                                                    local_14 = _e1612;
+                                                    local_15 = _e1610;
+                                                    local_16 = _e1614;
+                                                    local_17 = _e1604;
                                                     continue;
                                                     continuing {
-                                                        phi_3067_ = type_9(select(_e1544.member, (_e1544.member + 1u), _e1549), select(_e1544.member_1, _e1544.member_1, _e1549));
-                                                        phi_3070_ = _e1605;
-                                                        break if !(_e1607);
+                                                        phi_3068_ = type_9(select(_e1545.member, (_e1545.member + 1u), _e1550), select(_e1545.member_1, _e1545.member_1, _e1550));
+                                                        phi_3071_ = _e1606;
+                                                        break if !(_e1608);
                                                     }
                                                 }
-                                                let _e1616 = local_13;
-                                                let _e1618 = local_14;
-                                                let _e1621 = local_15;
-                                                let _e1623 = local_16;
-                                                let _e1627 = local_17;
-                                                phi_3157_ = select(_e1627, _e1311, select(select(_e1623, false, _e1621), true, select(_e1618, false, _e1616)));
+                                                let _e1617 = local_13;
+                                                let _e1619 = local_14;
+                                                let _e1622 = local_15;
+                                                let _e1624 = local_16;
+                                                let _e1628 = local_17;
+                                                phi_3158_ = select(_e1628, _e1312, select(select(_e1624, false, _e1622), true, select(_e1619, false, _e1617)));
                                             } else {
-                                                phi_3157_ = _e1311;
+                                                phi_3158_ = _e1312;
                                             }
-                                            let _e1630 = phi_3157_;
-                                            phi_3159_ = type_38(_e1535, _e1630, _e1381);
+                                            let _e1631 = phi_3158_;
+                                            phi_3160_ = type_38(_e1536, _e1631, _e1382);
                                         } else {
-                                            phi_3159_ = _e1394;
+                                            phi_3160_ = _e1395;
                                         }
-                                        let _e1633 = phi_3159_;
-                                        if (_e1633.member > _e1633.member_1) {
-                                            phi_4126_ = bool();
-                                            phi_4127_ = true;
-                                            phi_4128_ = false;
+                                        let _e1634 = phi_3160_;
+                                        if (_e1634.member > _e1634.member_1) {
+                                            phi_4127_ = bool();
+                                            phi_4128_ = true;
                                             phi_4129_ = false;
                                             phi_4130_ = false;
+                                            phi_4131_ = false;
                                         } else {
-                                            let _e1638 = (_e1633.member > _e357);
-                                            if _e1638 {
-                                                phi_4122_ = bool();
-                                                phi_4123_ = false;
+                                            let _e1639 = (_e1634.member > _e358);
+                                            if _e1639 {
+                                                phi_4123_ = bool();
                                                 phi_4124_ = false;
                                                 phi_4125_ = false;
+                                                phi_4126_ = false;
                                             } else {
-                                                let _e1642 = ((_e1633.member_1 - _e1633.member) * 0.5f);
-                                                let _e1643 = (_e1633.member + _e1642);
-                                                let _e1645 = (_e1642 + (0.000000059604645f * 4f));
-                                                let _e1647 = local_7.member_3;
-                                                let _e1650 = local_7.member[0u];
-                                                let _e1656 = select(_e1650[0], -(_e1650[0]), (_e1650[0] < 0f));
-                                                let _e1659 = select(_e1650[1], -(_e1650[1]), (_e1650[1] < 0f));
-                                                let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
-                                                let _e1664 = select(_e1650[2], -(_e1650[2]), (_e1650[2] < 0f));
-                                                let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
-                                                let _e1668 = local_7.member[1u];
-                                                let _e1674 = select(_e1668[0], -(_e1668[0]), (_e1668[0] < 0f));
-                                                let _e1677 = select(_e1668[1], -(_e1668[1]), (_e1668[1] < 0f));
-                                                let _e1679 = select(_e1677, _e1674, (_e1674 > _e1677));
-                                                let _e1682 = select(_e1668[2], -(_e1668[2]), (_e1668[2] < 0f));
-                                                let _e1684 = select(_e1682, _e1679, (_e1679 > _e1682));
-                                                let _e1689 = local_7.member[0u];
-                                                let _e1694 = local_7.member[1u];
-                                                let _e1704 = (_e1689[0] + ((_e1694[0] - _e1689[0]) * _e1643));
-                                                let _e1705 = (_e1689[1] + ((_e1694[1] - _e1689[1]) * _e1643));
-                                                let _e1706 = (_e1689[2] + ((_e1694[2] - _e1689[2]) * _e1643));
-                                                let _e1708 = local_7.member[1u];
-                                                let _e1713 = local_7.member[0u];
-                                                let _e1717 = (_e1708[0] - _e1713[0]);
-                                                let _e1718 = (_e1708[1] - _e1713[1]);
-                                                let _e1719 = (_e1708[2] - _e1713[2]);
-                                                let _e1722 = select(_e1717, -(_e1717), (_e1717 < 0f));
-                                                let _e1725 = select(_e1718, -(_e1718), (_e1718 < 0f));
-                                                let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
-                                                let _e1730 = select(_e1719, -(_e1719), (_e1719 < 0f));
-                                                let _e1738 = ((((_e1645 * select(_e1730, _e1727, (_e1727 > _e1730))) * 1.01f) + ((select(_e1684, _e1666, (_e1666 > _e1684)) + _e1647) * (0.000000059604645f * 8f))) + _e1647);
-                                                let _e1741 = select(_e1704, -(_e1704), (_e1704 < 0f));
-                                                let _e1744 = select(_e1705, -(_e1705), (_e1705 < 0f));
-                                                let _e1746 = select(_e1744, _e1741, (_e1741 > _e1744));
-                                                let _e1749 = select(_e1706, -(_e1706), (_e1706 < 0f));
-                                                let _e1752 = (select(_e1749, _e1746, (_e1746 > _e1749)) + _e1738);
-                                                let _e1755 = local_7.member_3;
-                                                let _e1757 = local_7.member_1[0u];
-                                                let _e1763 = select(_e1757[0], -(_e1757[0]), (_e1757[0] < 0f));
-                                                let _e1766 = select(_e1757[1], -(_e1757[1]), (_e1757[1] < 0f));
-                                                let _e1768 = select(_e1766, _e1763, (_e1763 > _e1766));
-                                                let _e1771 = select(_e1757[2], -(_e1757[2]), (_e1757[2] < 0f));
-                                                let _e1773 = select(_e1771, _e1768, (_e1768 > _e1771));
-                                                let _e1775 = local_7.member_1[1u];
-                                                let _e1781 = select(_e1775[0], -(_e1775[0]), (_e1775[0] < 0f));
-                                                let _e1784 = select(_e1775[1], -(_e1775[1]), (_e1775[1] < 0f));
-                                                let _e1786 = select(_e1784, _e1781, (_e1781 > _e1784));
-                                                let _e1789 = select(_e1775[2], -(_e1775[2]), (_e1775[2] < 0f));
-                                                let _e1791 = select(_e1789, _e1786, (_e1786 > _e1789));
-                                                let _e1796 = local_7.member_1[0u];
-                                                let _e1801 = local_7.member_1[1u];
-                                                let _e1811 = (_e1796[0] + ((_e1801[0] - _e1796[0]) * _e1643));
-                                                let _e1812 = (_e1796[1] + ((_e1801[1] - _e1796[1]) * _e1643));
-                                                let _e1813 = (_e1796[2] + ((_e1801[2] - _e1796[2]) * _e1643));
-                                                let _e1815 = local_7.member_1[1u];
-                                                let _e1820 = local_7.member_1[0u];
-                                                let _e1824 = (_e1815[0] - _e1820[0]);
-                                                let _e1825 = (_e1815[1] - _e1820[1]);
-                                                let _e1826 = (_e1815[2] - _e1820[2]);
-                                                let _e1829 = select(_e1824, -(_e1824), (_e1824 < 0f));
-                                                let _e1832 = select(_e1825, -(_e1825), (_e1825 < 0f));
-                                                let _e1834 = select(_e1832, _e1829, (_e1829 > _e1832));
-                                                let _e1837 = select(_e1826, -(_e1826), (_e1826 < 0f));
-                                                let _e1845 = ((((_e1645 * select(_e1837, _e1834, (_e1834 > _e1837))) * 1.01f) + ((select(_e1791, _e1773, (_e1773 > _e1791)) + _e1755) * (0.000000059604645f * 8f))) + _e1755);
-                                                let _e1848 = select(_e1811, -(_e1811), (_e1811 < 0f));
-                                                let _e1851 = select(_e1812, -(_e1812), (_e1812 < 0f));
-                                                let _e1853 = select(_e1851, _e1848, (_e1848 > _e1851));
-                                                let _e1856 = select(_e1813, -(_e1813), (_e1813 < 0f));
-                                                let _e1859 = (select(_e1856, _e1853, (_e1853 > _e1856)) + _e1845);
-                                                let _e1862 = local_7.member_3;
-                                                let _e1864 = local_7.member_2[0u];
-                                                let _e1870 = select(_e1864[0], -(_e1864[0]), (_e1864[0] < 0f));
-                                                let _e1873 = select(_e1864[1], -(_e1864[1]), (_e1864[1] < 0f));
-                                                let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
-                                                let _e1878 = select(_e1864[2], -(_e1864[2]), (_e1864[2] < 0f));
-                                                let _e1880 = select(_e1878, _e1875, (_e1875 > _e1878));
-                                                let _e1882 = local_7.member_2[1u];
-                                                let _e1888 = select(_e1882[0], -(_e1882[0]), (_e1882[0] < 0f));
-                                                let _e1891 = select(_e1882[1], -(_e1882[1]), (_e1882[1] < 0f));
-                                                let _e1893 = select(_e1891, _e1888, (_e1888 > _e1891));
-                                                let _e1896 = select(_e1882[2], -(_e1882[2]), (_e1882[2] < 0f));
-                                                let _e1898 = select(_e1896, _e1893, (_e1893 > _e1896));
-                                                let _e1903 = local_7.member_2[0u];
-                                                let _e1908 = local_7.member_2[1u];
-                                                let _e1918 = (_e1903[0] + ((_e1908[0] - _e1903[0]) * _e1643));
-                                                let _e1919 = (_e1903[1] + ((_e1908[1] - _e1903[1]) * _e1643));
-                                                let _e1920 = (_e1903[2] + ((_e1908[2] - _e1903[2]) * _e1643));
-                                                let _e1922 = local_7.member_2[1u];
-                                                let _e1927 = local_7.member_2[0u];
-                                                let _e1931 = (_e1922[0] - _e1927[0]);
-                                                let _e1932 = (_e1922[1] - _e1927[1]);
-                                                let _e1933 = (_e1922[2] - _e1927[2]);
-                                                let _e1936 = select(_e1931, -(_e1931), (_e1931 < 0f));
-                                                let _e1939 = select(_e1932, -(_e1932), (_e1932 < 0f));
-                                                let _e1941 = select(_e1939, _e1936, (_e1936 > _e1939));
-                                                let _e1944 = select(_e1933, -(_e1933), (_e1933 < 0f));
-                                                let _e1952 = ((((_e1645 * select(_e1944, _e1941, (_e1941 > _e1944))) * 1.01f) + ((select(_e1898, _e1880, (_e1880 > _e1898)) + _e1862) * (0.000000059604645f * 8f))) + _e1862);
-                                                let _e1955 = select(_e1918, -(_e1918), (_e1918 < 0f));
-                                                let _e1958 = select(_e1919, -(_e1919), (_e1919 < 0f));
-                                                let _e1960 = select(_e1958, _e1955, (_e1955 > _e1958));
-                                                let _e1963 = select(_e1920, -(_e1920), (_e1920 < 0f));
-                                                let _e1966 = (select(_e1963, _e1960, (_e1960 > _e1963)) + _e1952);
-                                                let _e1969 = ((_e1812 * _e1920) - (_e1813 * _e1919));
-                                                let _e1972 = ((_e1813 * _e1918) - (_e1811 * _e1920));
-                                                let _e1975 = ((_e1811 * _e1919) - (_e1812 * _e1918));
-                                                let _e1990 = select(false, (select(_e1969, -(_e1969), (_e1969 < 0f)) > select(_e1975, -(_e1975), (_e1975 < 0f))), (select(_e1969, -(_e1969), (_e1969 < 0f)) > select(_e1972, -(_e1972), (_e1972 < 0f))));
-                                                let _e2005 = select((select(_e1972, -(_e1972), (_e1972 < 0f)) > select(_e1975, -(_e1975), (_e1975 < 0f))), false, (select(_e1969, -(_e1969), (_e1969 < 0f)) > select(_e1972, -(_e1972), (_e1972 < 0f))));
-                                                let _e2008 = select(select(_e1704, _e1705, _e1990), _e1706, _e2005);
-                                                let _e2009 = select(select(_e1705, _e1706, _e1990), _e1704, _e2005);
-                                                let _e2012 = select(select(_e1811, _e1812, _e1990), _e1813, _e2005);
-                                                let _e2013 = select(select(_e1812, _e1813, _e1990), _e1811, _e2005);
-                                                let _e2016 = select(select(_e1918, _e1919, _e1990), _e1920, _e2005);
-                                                let _e2017 = select(select(_e1919, _e1920, _e1990), _e1918, _e2005);
-                                                let _e2020 = ((_e2012 * _e2017) - (_e2013 * _e2016));
-                                                let _e2036 = (((((_e1845 * _e1966) + (_e1859 * _e1952)) * 2.01f) + (((_e1859 * 2f) * (_e1966 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1859) * (1f + _e1966))));
-                                                if (select(_e2020, -(_e2020), (_e2020 < 0f)) > _e2036) {
-                                                    let _e2042 = select(1f, -1f, (_e2020 < 0f));
-                                                    let _e2061 = (((((_e1738 * _e1966) + (_e1752 * _e1952)) * 2.01f) + (((_e1752 * 2f) * (_e1966 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1752) * (1f + _e1966))));
-                                                    let _e2080 = (((((_e1845 * _e1752) + (_e1859 * _e1738)) * 2.01f) + (((_e1859 * 2f) * (_e1752 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1859) * (1f + _e1752))));
-                                                    let _e2081 = (_e2020 * _e2042);
-                                                    let _e2082 = (((_e2008 * _e2017) - (_e2009 * _e2016)) * _e2042);
-                                                    let _e2083 = (((_e2012 * _e2009) - (_e2013 * _e2008)) * _e2042);
-                                                    let _e2096 = (((select(_e2081, -(_e2081), (_e2081 < 0f)) + select(_e2082, -(_e2082), (_e2082 < 0f))) + select(_e2083, -(_e2083), (_e2083 < 0f))) * (0.000000059604645f * 4f));
-                                                    if (_e224.member != 0u) {
-                                                        phi_3996_ = array<type_16, 4>(type_16(_e2082, _e2061), type_16(_e2083, _e2080), type_16((_e2081 - _e2082), ((_e2036 + _e2061) + _e2096)), type_16((_e2081 - _e2083), ((_e2036 + _e2080) + _e2096)));
+                                                let _e1643 = ((_e1634.member_1 - _e1634.member) * 0.5f);
+                                                let _e1644 = (_e1634.member + _e1643);
+                                                let _e1646 = (_e1643 + (0.000000059604645f * 4f));
+                                                let _e1648 = local_7.member_3;
+                                                let _e1651 = local_7.member[0u];
+                                                let _e1657 = select(_e1651[0], -(_e1651[0]), (_e1651[0] < 0f));
+                                                let _e1660 = select(_e1651[1], -(_e1651[1]), (_e1651[1] < 0f));
+                                                let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
+                                                let _e1665 = select(_e1651[2], -(_e1651[2]), (_e1651[2] < 0f));
+                                                let _e1667 = select(_e1665, _e1662, (_e1662 > _e1665));
+                                                let _e1669 = local_7.member[1u];
+                                                let _e1675 = select(_e1669[0], -(_e1669[0]), (_e1669[0] < 0f));
+                                                let _e1678 = select(_e1669[1], -(_e1669[1]), (_e1669[1] < 0f));
+                                                let _e1680 = select(_e1678, _e1675, (_e1675 > _e1678));
+                                                let _e1683 = select(_e1669[2], -(_e1669[2]), (_e1669[2] < 0f));
+                                                let _e1685 = select(_e1683, _e1680, (_e1680 > _e1683));
+                                                let _e1690 = local_7.member[0u];
+                                                let _e1695 = local_7.member[1u];
+                                                let _e1705 = (_e1690[0] + ((_e1695[0] - _e1690[0]) * _e1644));
+                                                let _e1706 = (_e1690[1] + ((_e1695[1] - _e1690[1]) * _e1644));
+                                                let _e1707 = (_e1690[2] + ((_e1695[2] - _e1690[2]) * _e1644));
+                                                let _e1709 = local_7.member[1u];
+                                                let _e1714 = local_7.member[0u];
+                                                let _e1718 = (_e1709[0] - _e1714[0]);
+                                                let _e1719 = (_e1709[1] - _e1714[1]);
+                                                let _e1720 = (_e1709[2] - _e1714[2]);
+                                                let _e1723 = select(_e1718, -(_e1718), (_e1718 < 0f));
+                                                let _e1726 = select(_e1719, -(_e1719), (_e1719 < 0f));
+                                                let _e1728 = select(_e1726, _e1723, (_e1723 > _e1726));
+                                                let _e1731 = select(_e1720, -(_e1720), (_e1720 < 0f));
+                                                let _e1739 = ((((_e1646 * select(_e1731, _e1728, (_e1728 > _e1731))) * 1.01f) + ((select(_e1685, _e1667, (_e1667 > _e1685)) + _e1648) * (0.000000059604645f * 8f))) + _e1648);
+                                                let _e1742 = select(_e1705, -(_e1705), (_e1705 < 0f));
+                                                let _e1745 = select(_e1706, -(_e1706), (_e1706 < 0f));
+                                                let _e1747 = select(_e1745, _e1742, (_e1742 > _e1745));
+                                                let _e1750 = select(_e1707, -(_e1707), (_e1707 < 0f));
+                                                let _e1753 = (select(_e1750, _e1747, (_e1747 > _e1750)) + _e1739);
+                                                let _e1756 = local_7.member_3;
+                                                let _e1758 = local_7.member_1[0u];
+                                                let _e1764 = select(_e1758[0], -(_e1758[0]), (_e1758[0] < 0f));
+                                                let _e1767 = select(_e1758[1], -(_e1758[1]), (_e1758[1] < 0f));
+                                                let _e1769 = select(_e1767, _e1764, (_e1764 > _e1767));
+                                                let _e1772 = select(_e1758[2], -(_e1758[2]), (_e1758[2] < 0f));
+                                                let _e1774 = select(_e1772, _e1769, (_e1769 > _e1772));
+                                                let _e1776 = local_7.member_1[1u];
+                                                let _e1782 = select(_e1776[0], -(_e1776[0]), (_e1776[0] < 0f));
+                                                let _e1785 = select(_e1776[1], -(_e1776[1]), (_e1776[1] < 0f));
+                                                let _e1787 = select(_e1785, _e1782, (_e1782 > _e1785));
+                                                let _e1790 = select(_e1776[2], -(_e1776[2]), (_e1776[2] < 0f));
+                                                let _e1792 = select(_e1790, _e1787, (_e1787 > _e1790));
+                                                let _e1797 = local_7.member_1[0u];
+                                                let _e1802 = local_7.member_1[1u];
+                                                let _e1812 = (_e1797[0] + ((_e1802[0] - _e1797[0]) * _e1644));
+                                                let _e1813 = (_e1797[1] + ((_e1802[1] - _e1797[1]) * _e1644));
+                                                let _e1814 = (_e1797[2] + ((_e1802[2] - _e1797[2]) * _e1644));
+                                                let _e1816 = local_7.member_1[1u];
+                                                let _e1821 = local_7.member_1[0u];
+                                                let _e1825 = (_e1816[0] - _e1821[0]);
+                                                let _e1826 = (_e1816[1] - _e1821[1]);
+                                                let _e1827 = (_e1816[2] - _e1821[2]);
+                                                let _e1830 = select(_e1825, -(_e1825), (_e1825 < 0f));
+                                                let _e1833 = select(_e1826, -(_e1826), (_e1826 < 0f));
+                                                let _e1835 = select(_e1833, _e1830, (_e1830 > _e1833));
+                                                let _e1838 = select(_e1827, -(_e1827), (_e1827 < 0f));
+                                                let _e1846 = ((((_e1646 * select(_e1838, _e1835, (_e1835 > _e1838))) * 1.01f) + ((select(_e1792, _e1774, (_e1774 > _e1792)) + _e1756) * (0.000000059604645f * 8f))) + _e1756);
+                                                let _e1849 = select(_e1812, -(_e1812), (_e1812 < 0f));
+                                                let _e1852 = select(_e1813, -(_e1813), (_e1813 < 0f));
+                                                let _e1854 = select(_e1852, _e1849, (_e1849 > _e1852));
+                                                let _e1857 = select(_e1814, -(_e1814), (_e1814 < 0f));
+                                                let _e1860 = (select(_e1857, _e1854, (_e1854 > _e1857)) + _e1846);
+                                                let _e1863 = local_7.member_3;
+                                                let _e1865 = local_7.member_2[0u];
+                                                let _e1871 = select(_e1865[0], -(_e1865[0]), (_e1865[0] < 0f));
+                                                let _e1874 = select(_e1865[1], -(_e1865[1]), (_e1865[1] < 0f));
+                                                let _e1876 = select(_e1874, _e1871, (_e1871 > _e1874));
+                                                let _e1879 = select(_e1865[2], -(_e1865[2]), (_e1865[2] < 0f));
+                                                let _e1881 = select(_e1879, _e1876, (_e1876 > _e1879));
+                                                let _e1883 = local_7.member_2[1u];
+                                                let _e1889 = select(_e1883[0], -(_e1883[0]), (_e1883[0] < 0f));
+                                                let _e1892 = select(_e1883[1], -(_e1883[1]), (_e1883[1] < 0f));
+                                                let _e1894 = select(_e1892, _e1889, (_e1889 > _e1892));
+                                                let _e1897 = select(_e1883[2], -(_e1883[2]), (_e1883[2] < 0f));
+                                                let _e1899 = select(_e1897, _e1894, (_e1894 > _e1897));
+                                                let _e1904 = local_7.member_2[0u];
+                                                let _e1909 = local_7.member_2[1u];
+                                                let _e1919 = (_e1904[0] + ((_e1909[0] - _e1904[0]) * _e1644));
+                                                let _e1920 = (_e1904[1] + ((_e1909[1] - _e1904[1]) * _e1644));
+                                                let _e1921 = (_e1904[2] + ((_e1909[2] - _e1904[2]) * _e1644));
+                                                let _e1923 = local_7.member_2[1u];
+                                                let _e1928 = local_7.member_2[0u];
+                                                let _e1932 = (_e1923[0] - _e1928[0]);
+                                                let _e1933 = (_e1923[1] - _e1928[1]);
+                                                let _e1934 = (_e1923[2] - _e1928[2]);
+                                                let _e1937 = select(_e1932, -(_e1932), (_e1932 < 0f));
+                                                let _e1940 = select(_e1933, -(_e1933), (_e1933 < 0f));
+                                                let _e1942 = select(_e1940, _e1937, (_e1937 > _e1940));
+                                                let _e1945 = select(_e1934, -(_e1934), (_e1934 < 0f));
+                                                let _e1953 = ((((_e1646 * select(_e1945, _e1942, (_e1942 > _e1945))) * 1.01f) + ((select(_e1899, _e1881, (_e1881 > _e1899)) + _e1863) * (0.000000059604645f * 8f))) + _e1863);
+                                                let _e1956 = select(_e1919, -(_e1919), (_e1919 < 0f));
+                                                let _e1959 = select(_e1920, -(_e1920), (_e1920 < 0f));
+                                                let _e1961 = select(_e1959, _e1956, (_e1956 > _e1959));
+                                                let _e1964 = select(_e1921, -(_e1921), (_e1921 < 0f));
+                                                let _e1967 = (select(_e1964, _e1961, (_e1961 > _e1964)) + _e1953);
+                                                let _e1970 = ((_e1813 * _e1921) - (_e1814 * _e1920));
+                                                let _e1973 = ((_e1814 * _e1919) - (_e1812 * _e1921));
+                                                let _e1976 = ((_e1812 * _e1920) - (_e1813 * _e1919));
+                                                let _e1991 = select(false, (select(_e1970, -(_e1970), (_e1970 < 0f)) > select(_e1976, -(_e1976), (_e1976 < 0f))), (select(_e1970, -(_e1970), (_e1970 < 0f)) > select(_e1973, -(_e1973), (_e1973 < 0f))));
+                                                let _e2006 = select((select(_e1973, -(_e1973), (_e1973 < 0f)) > select(_e1976, -(_e1976), (_e1976 < 0f))), false, (select(_e1970, -(_e1970), (_e1970 < 0f)) > select(_e1973, -(_e1973), (_e1973 < 0f))));
+                                                let _e2009 = select(select(_e1705, _e1706, _e1991), _e1707, _e2006);
+                                                let _e2010 = select(select(_e1706, _e1707, _e1991), _e1705, _e2006);
+                                                let _e2013 = select(select(_e1812, _e1813, _e1991), _e1814, _e2006);
+                                                let _e2014 = select(select(_e1813, _e1814, _e1991), _e1812, _e2006);
+                                                let _e2017 = select(select(_e1919, _e1920, _e1991), _e1921, _e2006);
+                                                let _e2018 = select(select(_e1920, _e1921, _e1991), _e1919, _e2006);
+                                                let _e2021 = ((_e2013 * _e2018) - (_e2014 * _e2017));
+                                                let _e2037 = (((((_e1846 * _e1967) + (_e1860 * _e1953)) * 2.01f) + (((_e1860 * 2f) * (_e1967 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1860) * (1f + _e1967))));
+                                                if (select(_e2021, -(_e2021), (_e2021 < 0f)) > _e2037) {
+                                                    let _e2043 = select(1f, -1f, (_e2021 < 0f));
+                                                    let _e2062 = (((((_e1739 * _e1967) + (_e1753 * _e1953)) * 2.01f) + (((_e1753 * 2f) * (_e1967 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1753) * (1f + _e1967))));
+                                                    let _e2081 = (((((_e1846 * _e1753) + (_e1860 * _e1739)) * 2.01f) + (((_e1860 * 2f) * (_e1753 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1860) * (1f + _e1753))));
+                                                    let _e2082 = (_e2021 * _e2043);
+                                                    let _e2083 = (((_e2009 * _e2018) - (_e2010 * _e2017)) * _e2043);
+                                                    let _e2084 = (((_e2013 * _e2010) - (_e2014 * _e2009)) * _e2043);
+                                                    let _e2097 = (((select(_e2082, -(_e2082), (_e2082 < 0f)) + select(_e2083, -(_e2083), (_e2083 < 0f))) + select(_e2084, -(_e2084), (_e2084 < 0f))) * (0.000000059604645f * 4f));
+                                                    if (_e225.member != 0u) {
+                                                        phi_3997_ = array<type_16, 4>(type_16(_e2083, _e2062), type_16(_e2084, _e2081), type_16((_e2082 - _e2083), ((_e2037 + _e2062) + _e2097)), type_16((_e2082 - _e2084), ((_e2037 + _e2081) + _e2097)));
                                                     } else {
-                                                        let _e2099 = ((_e2081 - _e2082) - _e2083);
-                                                        let _e2102 = (((_e2036 + _e2061) + _e2080) + _e2096);
-                                                        phi_3996_ = array<type_16, 4>(type_16(_e2082, _e2061), type_16(_e2083, _e2080), type_16(_e2099, _e2102), type_16(_e2099, _e2102));
+                                                        let _e2100 = ((_e2082 - _e2083) - _e2084);
+                                                        let _e2103 = (((_e2037 + _e2062) + _e2081) + _e2097);
+                                                        phi_3997_ = array<type_16, 4>(type_16(_e2083, _e2062), type_16(_e2084, _e2081), type_16(_e2100, _e2103), type_16(_e2100, _e2103));
                                                     }
-                                                    let _e2120 = phi_3996_;
-                                                    local_2 = array<type_16, 4>(type_16(_e2120[0].member, _e2120[0].member_1), type_16(_e2120[1].member, _e2120[1].member_1), type_16(_e2120[2].member, _e2120[2].member_1), type_16(_e2120[3].member, _e2120[3].member_1));
-                                                    phi_4016_ = type_9(0u, 4u);
-                                                    phi_4019_ = true;
+                                                    let _e2121 = phi_3997_;
+                                                    local_2 = array<type_16, 4>(type_16(_e2121[0].member, _e2121[0].member_1), type_16(_e2121[1].member, _e2121[1].member_1), type_16(_e2121[2].member, _e2121[2].member_1), type_16(_e2121[3].member, _e2121[3].member_1));
+                                                    phi_4017_ = type_9(0u, 4u);
+                                                    phi_4020_ = true;
                                                     loop {
-                                                        let _e2139 = phi_4016_;
-                                                        let _e2141 = phi_4019_;
-                                                        local_19 = _e2141;
-                                                        let _e2144 = (_e2139.member < _e2139.member_1);
-                                                        let _e2155 = select(type_9().member_1, _e2139.member, _e2144);
-                                                        if (bitcast<i32>(select(0u, 1u, _e2144)) != 0i) {
-                                                            let _e2160 = local_2[_e2155].member;
-                                                            let _e2163 = local_2[_e2155].member_1;
-                                                            let _e2165 = (_e2160 < -(_e2163));
-                                                            phi_4020_ = select((_e2141 && (_e2160 > _e2163)), bool(), _e2165);
-                                                            phi_4071_ = select(true, false, _e2165);
-                                                            phi_4072_ = _e2165;
+                                                        let _e2140 = phi_4017_;
+                                                        let _e2142 = phi_4020_;
+                                                        local_19 = _e2142;
+                                                        let _e2145 = (_e2140.member < _e2140.member_1);
+                                                        let _e2156 = select(type_9().member_1, _e2140.member, _e2145);
+                                                        if (bitcast<i32>(select(0u, 1u, _e2145)) != 0i) {
+                                                            let _e2161 = local_2[_e2156].member;
+                                                            let _e2164 = local_2[_e2156].member_1;
+                                                            let _e2166 = (_e2161 < -(_e2164));
+                                                            phi_4021_ = select((_e2142 && (_e2161 > _e2164)), bool(), _e2166);
+                                                            phi_4072_ = select(true, false, _e2166);
+                                                            phi_4073_ = _e2166;
                                                         } else {
-                                                            phi_4020_ = bool();
-                                                            phi_4071_ = false;
+                                                            phi_4021_ = bool();
                                                             phi_4072_ = false;
+                                                            phi_4073_ = false;
                                                         }
-                                                        let _e2171 = phi_4020_;
-                                                        let _e2173 = phi_4071_;
-                                                        let _e2175 = phi_4072_;
-                                                        local_18 = _e2175;
+                                                        let _e2172 = phi_4021_;
+                                                        let _e2174 = phi_4072_;
+                                                        let _e2176 = phi_4073_;
+                                                        local_18 = _e2176;
                                                         continue;
                                                         continuing {
-                                                            phi_4016_ = type_9(select(_e2139.member, (_e2139.member + 1u), _e2144), select(_e2139.member_1, _e2139.member_1, _e2144));
-                                                            phi_4019_ = _e2171;
-                                                            break if !(_e2173);
+                                                            phi_4017_ = type_9(select(_e2140.member, (_e2140.member + 1u), _e2145), select(_e2140.member_1, _e2140.member_1, _e2145));
+                                                            phi_4020_ = _e2172;
+                                                            break if !(_e2174);
                                                         }
                                                     }
-                                                    let _e2178 = local_18;
-                                                    let _e2179 = select(true, false, _e2178);
-                                                    let _e2181 = local_19;
-                                                    phi_4086_ = select(u32(), select(2u, 1u, _e2181), _e2179);
-                                                    phi_4087_ = 0u;
-                                                    phi_4088_ = select(true, false, _e2179);
+                                                    let _e2179 = local_18;
+                                                    let _e2180 = select(true, false, _e2179);
+                                                    let _e2182 = local_19;
+                                                    phi_4087_ = select(u32(), select(2u, 1u, _e2182), _e2180);
+                                                    phi_4088_ = 0u;
+                                                    phi_4089_ = select(true, false, _e2180);
                                                 } else {
-                                                    phi_4086_ = u32();
-                                                    phi_4087_ = 2u;
-                                                    phi_4088_ = true;
+                                                    phi_4087_ = u32();
+                                                    phi_4088_ = 2u;
+                                                    phi_4089_ = true;
                                                 }
-                                                let _e2186 = phi_4086_;
-                                                let _e2188 = phi_4087_;
-                                                let _e2190 = phi_4088_;
-                                                let _e2191 = select(_e2186, _e2188, _e2190);
-                                                let _e2192 = (_e2191 == 0u);
-                                                if _e2192 {
-                                                    phi_4119_ = bool();
-                                                    phi_4120_ = false;
+                                                let _e2187 = phi_4087_;
+                                                let _e2189 = phi_4088_;
+                                                let _e2191 = phi_4089_;
+                                                let _e2192 = select(_e2187, _e2189, _e2191);
+                                                let _e2193 = (_e2192 == 0u);
+                                                if _e2193 {
+                                                    phi_4120_ = bool();
                                                     phi_4121_ = false;
+                                                    phi_4122_ = false;
                                                 } else {
-                                                    let _e2195 = select(false, _e1633.member_2, (_e2191 == 1u));
-                                                    let _e2201 = select(true, select(true, false, ((_e1633.member_1 - _e1633.member) <= _e1248)), _e2195);
-                                                    phi_4119_ = _e2195;
-                                                    phi_4120_ = _e2201;
-                                                    phi_4121_ = select(true, false, _e2201);
+                                                    let _e2196 = select(false, _e1634.member_2, (_e2192 == 1u));
+                                                    let _e2202 = select(true, select(true, false, ((_e1634.member_1 - _e1634.member) <= _e1249)), _e2196);
+                                                    phi_4120_ = _e2196;
+                                                    phi_4121_ = _e2202;
+                                                    phi_4122_ = select(true, false, _e2202);
                                                 }
-                                                let _e2204 = phi_4119_;
-                                                let _e2206 = phi_4120_;
-                                                let _e2208 = phi_4121_;
-                                                phi_4122_ = _e2204;
-                                                phi_4123_ = _e2192;
-                                                phi_4124_ = _e2206;
-                                                phi_4125_ = _e2208;
+                                                let _e2205 = phi_4120_;
+                                                let _e2207 = phi_4121_;
+                                                let _e2209 = phi_4122_;
+                                                phi_4123_ = _e2205;
+                                                phi_4124_ = _e2193;
+                                                phi_4125_ = _e2207;
+                                                phi_4126_ = _e2209;
                                             }
-                                            let _e2210 = phi_4122_;
-                                            let _e2212 = phi_4123_;
-                                            let _e2214 = phi_4124_;
-                                            let _e2216 = phi_4125_;
-                                            phi_4126_ = _e2210;
-                                            phi_4127_ = _e2212;
-                                            phi_4128_ = _e2214;
-                                            phi_4129_ = _e1638;
-                                            phi_4130_ = _e2216;
+                                            let _e2211 = phi_4123_;
+                                            let _e2213 = phi_4124_;
+                                            let _e2215 = phi_4125_;
+                                            let _e2217 = phi_4126_;
+                                            phi_4127_ = _e2211;
+                                            phi_4128_ = _e2213;
+                                            phi_4129_ = _e2215;
+                                            phi_4130_ = _e1639;
+                                            phi_4131_ = _e2217;
                                         }
-                                        let _e2218 = phi_4126_;
-                                        let _e2220 = phi_4127_;
-                                        let _e2222 = phi_4128_;
-                                        let _e2224 = phi_4129_;
-                                        let _e2226 = phi_4130_;
-                                        phi_4131_ = _e1633;
-                                        phi_4132_ = _e2218;
-                                        phi_4133_ = _e1633;
-                                        phi_4134_ = _e2220;
-                                        phi_4135_ = _e2222;
-                                        phi_4136_ = _e2224;
-                                        phi_4137_ = _e2226;
+                                        let _e2219 = phi_4127_;
+                                        let _e2221 = phi_4128_;
+                                        let _e2223 = phi_4129_;
+                                        let _e2225 = phi_4130_;
+                                        let _e2227 = phi_4131_;
+                                        phi_4132_ = _e1634;
+                                        phi_4133_ = _e2219;
+                                        phi_4134_ = _e1634;
+                                        phi_4135_ = _e2221;
+                                        phi_4136_ = _e2223;
+                                        phi_4137_ = _e2225;
+                                        phi_4138_ = _e2227;
                                     }
-                                    let _e2228 = phi_4131_;
-                                    let _e2230 = phi_4132_;
-                                    let _e2232 = phi_4133_;
-                                    let _e2234 = phi_4134_;
-                                    let _e2236 = phi_4135_;
-                                    let _e2238 = phi_4136_;
-                                    let _e2240 = phi_4137_;
-                                    phi_4138_ = _e2228;
-                                    phi_4139_ = _e2230;
-                                    phi_4140_ = _e2232;
-                                    phi_4141_ = _e2234;
-                                    phi_4142_ = _e2236;
-                                    phi_4143_ = _e1313;
-                                    phi_4144_ = _e2238;
-                                    phi_4145_ = _e2240;
+                                    let _e2229 = phi_4132_;
+                                    let _e2231 = phi_4133_;
+                                    let _e2233 = phi_4134_;
+                                    let _e2235 = phi_4135_;
+                                    let _e2237 = phi_4136_;
+                                    let _e2239 = phi_4137_;
+                                    let _e2241 = phi_4138_;
+                                    phi_4139_ = _e2229;
+                                    phi_4140_ = _e2231;
+                                    phi_4141_ = _e2233;
+                                    phi_4142_ = _e2235;
+                                    phi_4143_ = _e2237;
+                                    phi_4144_ = _e1314;
+                                    phi_4145_ = _e2239;
+                                    phi_4146_ = _e2241;
                                 } else {
-                                    phi_4138_ = type_38();
-                                    phi_4139_ = bool();
-                                    phi_4140_ = type_38();
-                                    phi_4141_ = true;
-                                    phi_4142_ = false;
+                                    phi_4139_ = type_38();
+                                    phi_4140_ = bool();
+                                    phi_4141_ = type_38();
+                                    phi_4142_ = true;
                                     phi_4143_ = false;
                                     phi_4144_ = false;
                                     phi_4145_ = false;
+                                    phi_4146_ = false;
                                 }
-                                let _e2242 = phi_4138_;
-                                let _e2244 = phi_4139_;
-                                let _e2246 = phi_4140_;
-                                let _e2248 = phi_4141_;
-                                let _e2250 = phi_4142_;
-                                let _e2252 = phi_4143_;
-                                let _e2254 = phi_4144_;
-                                let _e2256 = phi_4145_;
-                                phi_4153_ = _e2242;
-                                phi_4154_ = _e2244;
-                                phi_4155_ = _e2246;
-                                phi_4156_ = select(_e2250, false, _e2248);
-                                phi_4157_ = _e2248;
-                                phi_4158_ = select(_e2252, false, _e2248);
-                                phi_4159_ = select(_e2254, false, _e2248);
-                                phi_4160_ = select(_e2256, false, _e2248);
+                                let _e2243 = phi_4139_;
+                                let _e2245 = phi_4140_;
+                                let _e2247 = phi_4141_;
+                                let _e2249 = phi_4142_;
+                                let _e2251 = phi_4143_;
+                                let _e2253 = phi_4144_;
+                                let _e2255 = phi_4145_;
+                                let _e2257 = phi_4146_;
+                                phi_4154_ = _e2243;
+                                phi_4155_ = _e2245;
+                                phi_4156_ = _e2247;
+                                phi_4157_ = select(_e2251, false, _e2249);
+                                phi_4158_ = _e2249;
+                                phi_4159_ = select(_e2253, false, _e2249);
+                                phi_4160_ = select(_e2255, false, _e2249);
+                                phi_4161_ = select(_e2257, false, _e2249);
                             } else {
-                                phi_4153_ = type_38(_e353, _e353, false);
-                                phi_4154_ = false;
-                                phi_4155_ = type_38();
-                                phi_4156_ = true;
-                                phi_4157_ = false;
+                                phi_4154_ = type_38(_e354, _e354, false);
+                                phi_4155_ = false;
+                                phi_4156_ = type_38();
+                                phi_4157_ = true;
                                 phi_4158_ = false;
                                 phi_4159_ = false;
                                 phi_4160_ = false;
+                                phi_4161_ = false;
                             }
-                            let _e2262 = phi_4153_;
-                            let _e2264 = phi_4154_;
-                            let _e2266 = phi_4155_;
-                            let _e2268 = phi_4156_;
-                            let _e2270 = phi_4157_;
-                            let _e2272 = phi_4158_;
-                            let _e2274 = phi_4159_;
-                            let _e2276 = phi_4160_;
-                            if _e2268 {
-                                let _e2281 = local_7.member[0u];
-                                let _e2287 = local_7.member_1[0u];
-                                let _e2293 = local_7.member_2[0u];
-                                let _e2297 = (_e2281[0] - _e2287[0]);
-                                let _e2298 = (_e2281[1] - _e2287[1]);
-                                let _e2299 = (_e2281[2] - _e2287[2]);
-                                let _e2300 = (_e224.member == 0u);
-                                let _e2312 = local_7.member[1u];
-                                let _e2318 = local_7.member_1[1u];
-                                let _e2324 = local_7.member_2[1u];
-                                let _e2328 = (_e2312[0] - _e2318[0]);
-                                let _e2329 = (_e2312[1] - _e2318[1]);
-                                let _e2330 = (_e2312[2] - _e2318[2]);
-                                let _e2331 = (_e224.member == 0u);
-                                let _e2343 = local_7.member[0u];
-                                let _e2349 = select(_e2343[0], -(_e2343[0]), (_e2343[0] < 0f));
-                                let _e2352 = select(_e2343[1], -(_e2343[1]), (_e2343[1] < 0f));
-                                let _e2354 = select(_e2352, _e2349, (_e2349 > _e2352));
-                                let _e2357 = select(_e2343[2], -(_e2343[2]), (_e2343[2] < 0f));
-                                let _e2359 = select(_e2357, _e2354, (_e2354 > _e2357));
-                                let _e2362 = local_7.member[1u];
-                                let _e2368 = select(_e2362[0], -(_e2362[0]), (_e2362[0] < 0f));
-                                let _e2371 = select(_e2362[1], -(_e2362[1]), (_e2362[1] < 0f));
-                                let _e2373 = select(_e2371, _e2368, (_e2368 > _e2371));
-                                let _e2376 = select(_e2362[2], -(_e2362[2]), (_e2362[2] < 0f));
-                                let _e2378 = select(_e2376, _e2373, (_e2373 > _e2376));
-                                let _e2382 = local_7.member_3;
-                                let _e2386 = local_7.member_1[0u];
-                                let _e2392 = select(_e2386[0], -(_e2386[0]), (_e2386[0] < 0f));
-                                let _e2395 = select(_e2386[1], -(_e2386[1]), (_e2386[1] < 0f));
-                                let _e2397 = select(_e2395, _e2392, (_e2392 > _e2395));
-                                let _e2400 = select(_e2386[2], -(_e2386[2]), (_e2386[2] < 0f));
-                                let _e2402 = select(_e2400, _e2397, (_e2397 > _e2400));
-                                let _e2405 = local_7.member_1[1u];
-                                let _e2411 = select(_e2405[0], -(_e2405[0]), (_e2405[0] < 0f));
-                                let _e2414 = select(_e2405[1], -(_e2405[1]), (_e2405[1] < 0f));
-                                let _e2416 = select(_e2414, _e2411, (_e2411 > _e2414));
-                                let _e2419 = select(_e2405[2], -(_e2405[2]), (_e2405[2] < 0f));
-                                let _e2421 = select(_e2419, _e2416, (_e2416 > _e2419));
-                                let _e2425 = local_7.member_3;
-                                let _e2429 = local_7.member_2[0u];
-                                let _e2435 = select(_e2429[0], -(_e2429[0]), (_e2429[0] < 0f));
-                                let _e2438 = select(_e2429[1], -(_e2429[1]), (_e2429[1] < 0f));
-                                let _e2440 = select(_e2438, _e2435, (_e2435 > _e2438));
-                                let _e2443 = select(_e2429[2], -(_e2429[2]), (_e2429[2] < 0f));
-                                let _e2445 = select(_e2443, _e2440, (_e2440 > _e2443));
-                                let _e2448 = local_7.member_2[1u];
-                                let _e2454 = select(_e2448[0], -(_e2448[0]), (_e2448[0] < 0f));
-                                let _e2457 = select(_e2448[1], -(_e2448[1]), (_e2448[1] < 0f));
-                                let _e2459 = select(_e2457, _e2454, (_e2454 > _e2457));
-                                let _e2462 = select(_e2448[2], -(_e2448[2]), (_e2448[2] < 0f));
-                                let _e2464 = select(_e2462, _e2459, (_e2459 > _e2462));
-                                let _e2468 = local_7.member_3;
-                                let _e2475 = local_7.member_3;
-                                let _e2480 = (_e351 * 0.00390625f);
+                            let _e2263 = phi_4154_;
+                            let _e2265 = phi_4155_;
+                            let _e2267 = phi_4156_;
+                            let _e2269 = phi_4157_;
+                            let _e2271 = phi_4158_;
+                            let _e2273 = phi_4159_;
+                            let _e2275 = phi_4160_;
+                            let _e2277 = phi_4161_;
+                            if _e2269 {
+                                let _e2282 = local_7.member[0u];
+                                let _e2288 = local_7.member_1[0u];
+                                let _e2294 = local_7.member_2[0u];
+                                let _e2298 = (_e2282[0] - _e2288[0]);
+                                let _e2299 = (_e2282[1] - _e2288[1]);
+                                let _e2300 = (_e2282[2] - _e2288[2]);
+                                let _e2301 = (_e225.member == 0u);
+                                let _e2313 = local_7.member[1u];
+                                let _e2319 = local_7.member_1[1u];
+                                let _e2325 = local_7.member_2[1u];
+                                let _e2329 = (_e2313[0] - _e2319[0]);
+                                let _e2330 = (_e2313[1] - _e2319[1]);
+                                let _e2331 = (_e2313[2] - _e2319[2]);
+                                let _e2332 = (_e225.member == 0u);
+                                let _e2344 = local_7.member[0u];
+                                let _e2350 = select(_e2344[0], -(_e2344[0]), (_e2344[0] < 0f));
+                                let _e2353 = select(_e2344[1], -(_e2344[1]), (_e2344[1] < 0f));
+                                let _e2355 = select(_e2353, _e2350, (_e2350 > _e2353));
+                                let _e2358 = select(_e2344[2], -(_e2344[2]), (_e2344[2] < 0f));
+                                let _e2360 = select(_e2358, _e2355, (_e2355 > _e2358));
+                                let _e2363 = local_7.member[1u];
+                                let _e2369 = select(_e2363[0], -(_e2363[0]), (_e2363[0] < 0f));
+                                let _e2372 = select(_e2363[1], -(_e2363[1]), (_e2363[1] < 0f));
+                                let _e2374 = select(_e2372, _e2369, (_e2369 > _e2372));
+                                let _e2377 = select(_e2363[2], -(_e2363[2]), (_e2363[2] < 0f));
+                                let _e2379 = select(_e2377, _e2374, (_e2374 > _e2377));
+                                let _e2383 = local_7.member_3;
+                                let _e2387 = local_7.member_1[0u];
+                                let _e2393 = select(_e2387[0], -(_e2387[0]), (_e2387[0] < 0f));
+                                let _e2396 = select(_e2387[1], -(_e2387[1]), (_e2387[1] < 0f));
+                                let _e2398 = select(_e2396, _e2393, (_e2393 > _e2396));
+                                let _e2401 = select(_e2387[2], -(_e2387[2]), (_e2387[2] < 0f));
+                                let _e2403 = select(_e2401, _e2398, (_e2398 > _e2401));
+                                let _e2406 = local_7.member_1[1u];
+                                let _e2412 = select(_e2406[0], -(_e2406[0]), (_e2406[0] < 0f));
+                                let _e2415 = select(_e2406[1], -(_e2406[1]), (_e2406[1] < 0f));
+                                let _e2417 = select(_e2415, _e2412, (_e2412 > _e2415));
+                                let _e2420 = select(_e2406[2], -(_e2406[2]), (_e2406[2] < 0f));
+                                let _e2422 = select(_e2420, _e2417, (_e2417 > _e2420));
+                                let _e2426 = local_7.member_3;
+                                let _e2430 = local_7.member_2[0u];
+                                let _e2436 = select(_e2430[0], -(_e2430[0]), (_e2430[0] < 0f));
+                                let _e2439 = select(_e2430[1], -(_e2430[1]), (_e2430[1] < 0f));
+                                let _e2441 = select(_e2439, _e2436, (_e2436 > _e2439));
+                                let _e2444 = select(_e2430[2], -(_e2430[2]), (_e2430[2] < 0f));
+                                let _e2446 = select(_e2444, _e2441, (_e2441 > _e2444));
+                                let _e2449 = local_7.member_2[1u];
+                                let _e2455 = select(_e2449[0], -(_e2449[0]), (_e2449[0] < 0f));
+                                let _e2458 = select(_e2449[1], -(_e2449[1]), (_e2449[1] < 0f));
+                                let _e2460 = select(_e2458, _e2455, (_e2455 > _e2458));
+                                let _e2463 = select(_e2449[2], -(_e2449[2]), (_e2449[2] < 0f));
+                                let _e2465 = select(_e2463, _e2460, (_e2460 > _e2463));
+                                let _e2469 = local_7.member_3;
+                                let _e2476 = local_7.member_3;
+                                let _e2481 = (_e352 * 0.00390625f);
                                 local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                phi_4583_ = type_9(0u, 96u);
-                                phi_4586_ = _e2262.member;
-                                phi_4588_ = _e2262.member;
-                                phi_4590_ = (_e2262.member_1 - _e2262.member);
-                                phi_4592_ = _e2262.member;
-                                phi_4594_ = false;
-                                phi_4596_ = 0u;
+                                phi_4584_ = type_9(0u, 96u);
+                                phi_4587_ = _e2263.member;
+                                phi_4589_ = _e2263.member;
+                                phi_4591_ = (_e2263.member_1 - _e2263.member);
+                                phi_4593_ = _e2263.member;
+                                phi_4595_ = false;
+                                phi_4597_ = 0u;
                                 loop {
-                                    let _e2483 = phi_4583_;
-                                    let _e2485 = phi_4586_;
-                                    let _e2487 = phi_4588_;
-                                    let _e2489 = phi_4590_;
-                                    let _e2491 = phi_4592_;
-                                    let _e2493 = phi_4594_;
-                                    let _e2495 = phi_4596_;
-                                    local_29 = _e2485;
-                                    local_32 = _e2487;
-                                    let _e2498 = (_e2483.member < _e2483.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e2498)) != 0i) {
-                                        let _e2512 = local_7.member[0u];
-                                        let _e2518 = local_7.member[1u];
-                                        let _e2534 = local_7.member_1[0u];
-                                        let _e2540 = local_7.member_1[1u];
-                                        let _e2556 = local_7.member_2[0u];
-                                        let _e2562 = local_7.member_2[1u];
-                                        let _e2576 = function_2(array<f32, 3>((_e2512[0] + ((_e2518[0] - _e2512[0]) * _e2485)), (_e2512[1] + ((_e2518[1] - _e2512[1]) * _e2485)), (_e2512[2] + ((_e2518[2] - _e2512[2]) * _e2485))), array<f32, 3>((_e2534[0] + ((_e2540[0] - _e2534[0]) * _e2485)), (_e2534[1] + ((_e2540[1] - _e2534[1]) * _e2485)), (_e2534[2] + ((_e2540[2] - _e2534[2]) * _e2485))), array<f32, 3>((_e2556[0] + ((_e2562[0] - _e2556[0]) * _e2485)), (_e2556[1] + ((_e2562[1] - _e2556[1]) * _e2485)), (_e2556[2] + ((_e2562[2] - _e2556[2]) * _e2485))), _e224.member);
-                                        if (_e2495 == 0u) {
-                                            phi_4747_ = _e2576;
+                                    let _e2484 = phi_4584_;
+                                    let _e2486 = phi_4587_;
+                                    let _e2488 = phi_4589_;
+                                    let _e2490 = phi_4591_;
+                                    let _e2492 = phi_4593_;
+                                    let _e2494 = phi_4595_;
+                                    let _e2496 = phi_4597_;
+                                    local_29 = _e2486;
+                                    local_32 = _e2488;
+                                    let _e2499 = (_e2484.member < _e2484.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e2499)) != 0i) {
+                                        let _e2513 = local_7.member[0u];
+                                        let _e2519 = local_7.member[1u];
+                                        let _e2535 = local_7.member_1[0u];
+                                        let _e2541 = local_7.member_1[1u];
+                                        let _e2557 = local_7.member_2[0u];
+                                        let _e2563 = local_7.member_2[1u];
+                                        let _e2577 = function_2(array<f32, 3>((_e2513[0] + ((_e2519[0] - _e2513[0]) * _e2486)), (_e2513[1] + ((_e2519[1] - _e2513[1]) * _e2486)), (_e2513[2] + ((_e2519[2] - _e2513[2]) * _e2486))), array<f32, 3>((_e2535[0] + ((_e2541[0] - _e2535[0]) * _e2486)), (_e2535[1] + ((_e2541[1] - _e2535[1]) * _e2486)), (_e2535[2] + ((_e2541[2] - _e2535[2]) * _e2486))), array<f32, 3>((_e2557[0] + ((_e2563[0] - _e2557[0]) * _e2486)), (_e2557[1] + ((_e2563[1] - _e2557[1]) * _e2486)), (_e2557[2] + ((_e2563[2] - _e2557[2]) * _e2486))), _e225.member);
+                                        if (_e2496 == 0u) {
+                                            phi_4748_ = _e2577;
                                         } else {
-                                            phi_4747_ = array<f32, 3>(select(0f, _e2576[0], (_e2495 == 1u)), select(0f, _e2576[1], (_e2495 == 2u)), select(0f, _e2576[2], (_e2495 == 3u)));
+                                            phi_4748_ = array<f32, 3>(select(0f, _e2577[0], (_e2496 == 1u)), select(0f, _e2577[1], (_e2496 == 2u)), select(0f, _e2577[2], (_e2496 == 3u)));
                                         }
-                                        let _e2589 = phi_4747_;
-                                        let _e2603 = ((select(_e2589[0], -(_e2589[0]), (_e2589[0] < 0f)) + select(_e2589[1], -(_e2589[1]), (_e2589[1] < 0f))) + select(_e2589[2], -(_e2589[2]), (_e2589[2] < 0f)));
-                                        if (_e2603 > 0f) {
-                                            if ((bitcast<u32>(_e2603) & 2139095040u) != 2139095040u) {
-                                                let _e2608 = (1f / _e2603);
-                                                let _e2610 = (_e2589[0] * _e2608);
-                                                let _e2612 = (_e2589[1] * _e2608);
-                                                let _e2614 = (_e2589[2] * _e2608);
-                                                let _e2619 = (((_e2610 * _e2610) + (_e2612 * _e2612)) + (_e2614 * _e2614));
-                                                if (_e2619 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_4870_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2619 > 0f));
+                                        let _e2590 = phi_4748_;
+                                        let _e2604 = ((select(_e2590[0], -(_e2590[0]), (_e2590[0] < 0f)) + select(_e2590[1], -(_e2590[1]), (_e2590[1] < 0f))) + select(_e2590[2], -(_e2590[2]), (_e2590[2] < 0f)));
+                                        if (_e2604 > 0f) {
+                                            if ((bitcast<u32>(_e2604) & 2139095040u) != 2139095040u) {
+                                                let _e2609 = (1f / _e2604);
+                                                let _e2611 = (_e2590[0] * _e2609);
+                                                let _e2613 = (_e2590[1] * _e2609);
+                                                let _e2615 = (_e2590[2] * _e2609);
+                                                let _e2620 = (((_e2611 * _e2611) + (_e2613 * _e2613)) + (_e2615 * _e2615));
+                                                if (_e2620 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_4871_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2620 > 0f));
                                                 } else {
-                                                    phi_4813_ = type_14(0i, 5i);
-                                                    phi_4816_ = bitcast<f32>(((bitcast<u32>(_e2619) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_4814_ = type_14(0i, 5i);
+                                                    phi_4817_ = bitcast<f32>(((bitcast<u32>(_e2620) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e2627 = phi_4813_;
-                                                        let _e2629 = phi_4816_;
-                                                        local_20 = _e2629;
-                                                        if (_e2627.member < _e2627.member_1) {
-                                                            let _e2636 = (_e2627.member + 1i);
-                                                            phi_4814_ = type_14(select(_e2636, type_15().member_1, select(false, true, ((false == (_e2636 > _e2627.member)) != false))), _e2627.member_1);
-                                                            phi_4857_ = type_15(1u, _e2627.member);
+                                                        let _e2628 = phi_4814_;
+                                                        let _e2630 = phi_4817_;
+                                                        local_20 = _e2630;
+                                                        if (_e2628.member < _e2628.member_1) {
+                                                            let _e2637 = (_e2628.member + 1i);
+                                                            phi_4815_ = type_14(select(_e2637, type_15().member_1, select(false, true, ((false == (_e2637 > _e2628.member)) != false))), _e2628.member_1);
+                                                            phi_4858_ = type_15(1u, _e2628.member);
                                                         } else {
-                                                            phi_4814_ = _e2627;
-                                                            phi_4857_ = type_15(0u, type_15().member_1);
+                                                            phi_4815_ = _e2628;
+                                                            phi_4858_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e2647 = phi_4814_;
-                                                        let _e2649 = phi_4857_;
-                                                        let _e2652 = (bitcast<i32>(_e2649.member) != 0i);
-                                                        if _e2652 {
-                                                            phi_4817_ = (0.5f * (_e2629 + (_e2619 / _e2629)));
+                                                        let _e2648 = phi_4815_;
+                                                        let _e2650 = phi_4858_;
+                                                        let _e2653 = (bitcast<i32>(_e2650.member) != 0i);
+                                                        if _e2653 {
+                                                            phi_4818_ = (0.5f * (_e2630 + (_e2620 / _e2630)));
                                                         } else {
-                                                            phi_4817_ = f32();
+                                                            phi_4818_ = f32();
                                                         }
-                                                        let _e2657 = phi_4817_;
+                                                        let _e2658 = phi_4818_;
                                                         continue;
                                                         continuing {
-                                                            phi_4813_ = _e2647;
-                                                            phi_4816_ = _e2657;
-                                                            break if !(_e2652);
+                                                            phi_4814_ = _e2648;
+                                                            phi_4817_ = _e2658;
+                                                            break if !(_e2653);
                                                         }
                                                     }
-                                                    let _e2662 = local_20;
-                                                    phi_4870_ = (_e2662 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e2663 = local_20;
+                                                    phi_4871_ = (_e2663 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e2668 = phi_4870_;
-                                                let _e2669 = (0.000000059604645f * 12f);
-                                                let _e2674 = ((((((((select(_e2378, _e2359, (_e2359 > _e2378)) + _e2382) + (select(_e2421, _e2402, (_e2402 > _e2421)) + _e2425)) + (select(_e2464, _e2445, (_e2445 > _e2464)) + _e2468)) * (0.000000059604645f * 16f)) + (_e2475 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2668) * (1f + _e2669)));
-                                                let _e2679 = (((_e2610 * _e2281[0]) + (_e2612 * _e2281[1])) + (_e2614 * _e2281[2]));
-                                                let _e2684 = (((_e2610 * _e2297) + (_e2612 * _e2298)) + (_e2614 * _e2299));
-                                                let _e2689 = (((_e2610 * (_e2281[0] - _e2293[0])) + (_e2612 * (_e2281[1] - _e2293[1]))) + (_e2614 * (_e2281[2] - _e2293[2])));
-                                                let _e2694 = (((_e2610 * select((_e2297 - _e2293[0]), _e2281[0], _e2300)) + (_e2612 * select((_e2298 - _e2293[1]), _e2281[1], _e2300))) + (_e2614 * select((_e2299 - _e2293[2]), _e2281[2], _e2300)));
-                                                let _e2700 = (((_e2610 * _e2312[0]) + (_e2612 * _e2312[1])) + (_e2614 * _e2312[2]));
-                                                let _e2705 = (((_e2610 * _e2328) + (_e2612 * _e2329)) + (_e2614 * _e2330));
-                                                let _e2710 = (((_e2610 * (_e2312[0] - _e2324[0])) + (_e2612 * (_e2312[1] - _e2324[1]))) + (_e2614 * (_e2312[2] - _e2324[2])));
-                                                let _e2715 = (((_e2610 * select((_e2328 - _e2324[0]), _e2312[0], _e2331)) + (_e2612 * select((_e2329 - _e2324[1]), _e2312[1], _e2331))) + (_e2614 * select((_e2330 - _e2324[2]), _e2312[2], _e2331)));
-                                                phi_4993_ = type_30(array<f32, 4>(_e2679, _e2684, _e2689, _e2694), array<f32, 4>(_e2700, _e2705, _e2710, _e2715), array<f32, 4>((_e2674 + ((select(_e2679, -(_e2679), (_e2679 < 0f)) + select(_e2700, -(_e2700), (_e2700 < 0f))) * _e2669)), (_e2674 + ((select(_e2684, -(_e2684), (_e2684 < 0f)) + select(_e2705, -(_e2705), (_e2705 < 0f))) * _e2669)), (_e2674 + ((select(_e2689, -(_e2689), (_e2689 < 0f)) + select(_e2710, -(_e2710), (_e2710 < 0f))) * _e2669)), (_e2674 + ((select(_e2694, -(_e2694), (_e2694 < 0f)) + select(_e2715, -(_e2715), (_e2715 < 0f))) * _e2669))));
-                                                phi_4994_ = false;
+                                                let _e2669 = phi_4871_;
+                                                let _e2670 = (0.000000059604645f * 12f);
+                                                let _e2675 = ((((((((select(_e2379, _e2360, (_e2360 > _e2379)) + _e2383) + (select(_e2422, _e2403, (_e2403 > _e2422)) + _e2426)) + (select(_e2465, _e2446, (_e2446 > _e2465)) + _e2469)) * (0.000000059604645f * 16f)) + (_e2476 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2669) * (1f + _e2670)));
+                                                let _e2680 = (((_e2611 * _e2282[0]) + (_e2613 * _e2282[1])) + (_e2615 * _e2282[2]));
+                                                let _e2685 = (((_e2611 * _e2298) + (_e2613 * _e2299)) + (_e2615 * _e2300));
+                                                let _e2690 = (((_e2611 * (_e2282[0] - _e2294[0])) + (_e2613 * (_e2282[1] - _e2294[1]))) + (_e2615 * (_e2282[2] - _e2294[2])));
+                                                let _e2695 = (((_e2611 * select((_e2298 - _e2294[0]), _e2282[0], _e2301)) + (_e2613 * select((_e2299 - _e2294[1]), _e2282[1], _e2301))) + (_e2615 * select((_e2300 - _e2294[2]), _e2282[2], _e2301)));
+                                                let _e2701 = (((_e2611 * _e2313[0]) + (_e2613 * _e2313[1])) + (_e2615 * _e2313[2]));
+                                                let _e2706 = (((_e2611 * _e2329) + (_e2613 * _e2330)) + (_e2615 * _e2331));
+                                                let _e2711 = (((_e2611 * (_e2313[0] - _e2325[0])) + (_e2613 * (_e2313[1] - _e2325[1]))) + (_e2615 * (_e2313[2] - _e2325[2])));
+                                                let _e2716 = (((_e2611 * select((_e2329 - _e2325[0]), _e2313[0], _e2332)) + (_e2613 * select((_e2330 - _e2325[1]), _e2313[1], _e2332))) + (_e2615 * select((_e2331 - _e2325[2]), _e2313[2], _e2332)));
+                                                phi_4994_ = type_30(array<f32, 4>(_e2680, _e2685, _e2690, _e2695), array<f32, 4>(_e2701, _e2706, _e2711, _e2716), array<f32, 4>((_e2675 + ((select(_e2680, -(_e2680), (_e2680 < 0f)) + select(_e2701, -(_e2701), (_e2701 < 0f))) * _e2670)), (_e2675 + ((select(_e2685, -(_e2685), (_e2685 < 0f)) + select(_e2706, -(_e2706), (_e2706 < 0f))) * _e2670)), (_e2675 + ((select(_e2690, -(_e2690), (_e2690 < 0f)) + select(_e2711, -(_e2711), (_e2711 < 0f))) * _e2670)), (_e2675 + ((select(_e2695, -(_e2695), (_e2695 < 0f)) + select(_e2716, -(_e2716), (_e2716 < 0f))) * _e2670))));
+                                                phi_4995_ = false;
                                             } else {
-                                                phi_4993_ = type_30();
-                                                phi_4994_ = true;
+                                                phi_4994_ = type_30();
+                                                phi_4995_ = true;
                                             }
-                                            let _e2756 = phi_4993_;
-                                            let _e2758 = phi_4994_;
-                                            phi_4995_ = _e2756;
-                                            phi_4996_ = _e2758;
+                                            let _e2757 = phi_4994_;
+                                            let _e2759 = phi_4995_;
+                                            phi_4996_ = _e2757;
+                                            phi_4997_ = _e2759;
                                         } else {
-                                            phi_4995_ = type_30();
-                                            phi_4996_ = true;
+                                            phi_4996_ = type_30();
+                                            phi_4997_ = true;
                                         }
-                                        let _e2760 = phi_4995_;
-                                        let _e2762 = phi_4996_;
-                                        if _e2762 {
-                                            phi_5004_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                        let _e2761 = phi_4996_;
+                                        let _e2763 = phi_4997_;
+                                        if _e2763 {
+                                            phi_5005_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                         } else {
-                                            phi_5004_ = _e2760;
+                                            phi_5005_ = _e2761;
                                         }
-                                        let _e2764 = phi_5004_;
-                                        local_1 = type_30(array<f32, 4>(_e2764.member[0], _e2764.member[1], _e2764.member[2], _e2764.member[3]), array<f32, 4>(_e2764.member_1[0], _e2764.member_1[1], _e2764.member_1[2], _e2764.member_1[3]), array<f32, 4>(_e2764.member_2[0], _e2764.member_2[1], _e2764.member_2[2], _e2764.member_2[3]));
-                                        let _e2784 = (_e2485 - _e2491);
-                                        let _e2788 = local_1.member[0u];
-                                        let _e2791 = local_1.member_1[0u];
-                                        let _e2794 = local_1.member[0u];
-                                        let _e2800 = local_1.member_2[0u];
-                                        if (((_e2788 + ((_e2791 - _e2794) * _e2485)) - _e2800) > 0f) {
-                                            let _e2805 = local_1.member[1u];
-                                            let _e2808 = local_1.member_1[1u];
-                                            let _e2811 = local_1.member[1u];
-                                            let _e2817 = local_1.member_2[1u];
-                                            if (((_e2805 + ((_e2808 - _e2811) * _e2485)) - _e2817) > 0f) {
-                                                let _e2822 = local_1.member[2u];
-                                                let _e2825 = local_1.member_1[2u];
-                                                let _e2828 = local_1.member[2u];
-                                                let _e2834 = local_1.member_2[2u];
-                                                if (((_e2822 + ((_e2825 - _e2828) * _e2485)) - _e2834) > 0f) {
-                                                    let _e2839 = local_1.member[3u];
-                                                    let _e2842 = local_1.member_1[3u];
-                                                    let _e2845 = local_1.member[3u];
-                                                    let _e2851 = local_1.member_2[3u];
-                                                    phi_5175_ = (((_e2839 + ((_e2842 - _e2845) * _e2485)) - _e2851) > 0f);
-                                                    phi_5176_ = false;
+                                        let _e2765 = phi_5005_;
+                                        local_1 = type_30(array<f32, 4>(_e2765.member[0], _e2765.member[1], _e2765.member[2], _e2765.member[3]), array<f32, 4>(_e2765.member_1[0], _e2765.member_1[1], _e2765.member_1[2], _e2765.member_1[3]), array<f32, 4>(_e2765.member_2[0], _e2765.member_2[1], _e2765.member_2[2], _e2765.member_2[3]));
+                                        let _e2785 = (_e2486 - _e2492);
+                                        let _e2789 = local_1.member[0u];
+                                        let _e2792 = local_1.member_1[0u];
+                                        let _e2795 = local_1.member[0u];
+                                        let _e2801 = local_1.member_2[0u];
+                                        if (((_e2789 + ((_e2792 - _e2795) * _e2486)) - _e2801) > 0f) {
+                                            let _e2806 = local_1.member[1u];
+                                            let _e2809 = local_1.member_1[1u];
+                                            let _e2812 = local_1.member[1u];
+                                            let _e2818 = local_1.member_2[1u];
+                                            if (((_e2806 + ((_e2809 - _e2812) * _e2486)) - _e2818) > 0f) {
+                                                let _e2823 = local_1.member[2u];
+                                                let _e2826 = local_1.member_1[2u];
+                                                let _e2829 = local_1.member[2u];
+                                                let _e2835 = local_1.member_2[2u];
+                                                if (((_e2823 + ((_e2826 - _e2829) * _e2486)) - _e2835) > 0f) {
+                                                    let _e2840 = local_1.member[3u];
+                                                    let _e2843 = local_1.member_1[3u];
+                                                    let _e2846 = local_1.member[3u];
+                                                    let _e2852 = local_1.member_2[3u];
+                                                    phi_5176_ = (((_e2840 + ((_e2843 - _e2846) * _e2486)) - _e2852) > 0f);
+                                                    phi_5177_ = false;
                                                 } else {
-                                                    phi_5175_ = bool();
-                                                    phi_5176_ = true;
+                                                    phi_5176_ = bool();
+                                                    phi_5177_ = true;
                                                 }
-                                                let _e2855 = phi_5175_;
-                                                let _e2857 = phi_5176_;
-                                                phi_5177_ = _e2855;
-                                                phi_5178_ = _e2857;
+                                                let _e2856 = phi_5176_;
+                                                let _e2858 = phi_5177_;
+                                                phi_5178_ = _e2856;
+                                                phi_5179_ = _e2858;
                                             } else {
-                                                phi_5177_ = bool();
-                                                phi_5178_ = true;
+                                                phi_5178_ = bool();
+                                                phi_5179_ = true;
                                             }
-                                            let _e2859 = phi_5177_;
-                                            let _e2861 = phi_5178_;
-                                            phi_5179_ = _e2859;
-                                            phi_5180_ = _e2861;
+                                            let _e2860 = phi_5178_;
+                                            let _e2862 = phi_5179_;
+                                            phi_5180_ = _e2860;
+                                            phi_5181_ = _e2862;
                                         } else {
-                                            phi_5179_ = bool();
-                                            phi_5180_ = true;
+                                            phi_5180_ = bool();
+                                            phi_5181_ = true;
                                         }
-                                        let _e2863 = phi_5179_;
-                                        let _e2865 = phi_5180_;
-                                        if select(_e2863, false, _e2865) {
-                                            if (_e2485 <= _e2487) {
-                                                phi_5494_ = true;
+                                        let _e2864 = phi_5180_;
+                                        let _e2866 = phi_5181_;
+                                        if select(_e2864, false, _e2866) {
+                                            if (_e2486 <= _e2488) {
+                                                phi_5495_ = true;
                                             } else {
-                                                let _e2870 = local.member[0u];
-                                                let _e2873 = local.member_1[0u];
-                                                let _e2876 = local.member[0u];
-                                                let _e2882 = local.member_2[0u];
-                                                let _e2886 = local_1.member[0u];
-                                                let _e2889 = local_1.member_1[0u];
-                                                let _e2892 = local_1.member[0u];
-                                                let _e2898 = local_1.member_2[0u];
-                                                if ((((_e2870 + ((_e2873 - _e2876) * _e2485)) - _e2882) + ((_e2886 + ((_e2889 - _e2892) * _e2491)) - _e2898)) > 0f) {
-                                                    let _e2904 = local.member[1u];
-                                                    let _e2907 = local.member_1[1u];
-                                                    let _e2910 = local.member[1u];
-                                                    let _e2916 = local.member_2[1u];
-                                                    let _e2920 = local_1.member[1u];
-                                                    let _e2923 = local_1.member_1[1u];
-                                                    let _e2926 = local_1.member[1u];
-                                                    let _e2932 = local_1.member_2[1u];
-                                                    if ((((_e2904 + ((_e2907 - _e2910) * _e2485)) - _e2916) + ((_e2920 + ((_e2923 - _e2926) * _e2491)) - _e2932)) > 0f) {
-                                                        let _e2938 = local.member[2u];
-                                                        let _e2941 = local.member_1[2u];
-                                                        let _e2944 = local.member[2u];
-                                                        let _e2950 = local.member_2[2u];
-                                                        let _e2954 = local_1.member[2u];
-                                                        let _e2957 = local_1.member_1[2u];
-                                                        let _e2960 = local_1.member[2u];
-                                                        let _e2966 = local_1.member_2[2u];
-                                                        if ((((_e2938 + ((_e2941 - _e2944) * _e2485)) - _e2950) + ((_e2954 + ((_e2957 - _e2960) * _e2491)) - _e2966)) > 0f) {
-                                                            let _e2972 = local.member[3u];
-                                                            let _e2975 = local.member_1[3u];
-                                                            let _e2978 = local.member[3u];
-                                                            let _e2984 = local.member_2[3u];
-                                                            let _e2988 = local_1.member[3u];
-                                                            let _e2991 = local_1.member_1[3u];
-                                                            let _e2994 = local_1.member[3u];
-                                                            let _e3000 = local_1.member_2[3u];
-                                                            phi_5481_ = ((((_e2972 + ((_e2975 - _e2978) * _e2485)) - _e2984) + ((_e2988 + ((_e2991 - _e2994) * _e2491)) - _e3000)) > 0f);
-                                                            phi_5482_ = false;
+                                                let _e2871 = local.member[0u];
+                                                let _e2874 = local.member_1[0u];
+                                                let _e2877 = local.member[0u];
+                                                let _e2883 = local.member_2[0u];
+                                                let _e2887 = local_1.member[0u];
+                                                let _e2890 = local_1.member_1[0u];
+                                                let _e2893 = local_1.member[0u];
+                                                let _e2899 = local_1.member_2[0u];
+                                                if ((((_e2871 + ((_e2874 - _e2877) * _e2486)) - _e2883) + ((_e2887 + ((_e2890 - _e2893) * _e2492)) - _e2899)) > 0f) {
+                                                    let _e2905 = local.member[1u];
+                                                    let _e2908 = local.member_1[1u];
+                                                    let _e2911 = local.member[1u];
+                                                    let _e2917 = local.member_2[1u];
+                                                    let _e2921 = local_1.member[1u];
+                                                    let _e2924 = local_1.member_1[1u];
+                                                    let _e2927 = local_1.member[1u];
+                                                    let _e2933 = local_1.member_2[1u];
+                                                    if ((((_e2905 + ((_e2908 - _e2911) * _e2486)) - _e2917) + ((_e2921 + ((_e2924 - _e2927) * _e2492)) - _e2933)) > 0f) {
+                                                        let _e2939 = local.member[2u];
+                                                        let _e2942 = local.member_1[2u];
+                                                        let _e2945 = local.member[2u];
+                                                        let _e2951 = local.member_2[2u];
+                                                        let _e2955 = local_1.member[2u];
+                                                        let _e2958 = local_1.member_1[2u];
+                                                        let _e2961 = local_1.member[2u];
+                                                        let _e2967 = local_1.member_2[2u];
+                                                        if ((((_e2939 + ((_e2942 - _e2945) * _e2486)) - _e2951) + ((_e2955 + ((_e2958 - _e2961) * _e2492)) - _e2967)) > 0f) {
+                                                            let _e2973 = local.member[3u];
+                                                            let _e2976 = local.member_1[3u];
+                                                            let _e2979 = local.member[3u];
+                                                            let _e2985 = local.member_2[3u];
+                                                            let _e2989 = local_1.member[3u];
+                                                            let _e2992 = local_1.member_1[3u];
+                                                            let _e2995 = local_1.member[3u];
+                                                            let _e3001 = local_1.member_2[3u];
+                                                            phi_5482_ = ((((_e2973 + ((_e2976 - _e2979) * _e2486)) - _e2985) + ((_e2989 + ((_e2992 - _e2995) * _e2492)) - _e3001)) > 0f);
+                                                            phi_5483_ = false;
                                                         } else {
-                                                            phi_5481_ = bool();
-                                                            phi_5482_ = true;
+                                                            phi_5482_ = bool();
+                                                            phi_5483_ = true;
                                                         }
-                                                        let _e3005 = phi_5481_;
-                                                        let _e3007 = phi_5482_;
-                                                        phi_5483_ = _e3005;
-                                                        phi_5484_ = _e3007;
+                                                        let _e3006 = phi_5482_;
+                                                        let _e3008 = phi_5483_;
+                                                        phi_5484_ = _e3006;
+                                                        phi_5485_ = _e3008;
                                                     } else {
-                                                        phi_5483_ = bool();
-                                                        phi_5484_ = true;
+                                                        phi_5484_ = bool();
+                                                        phi_5485_ = true;
                                                     }
-                                                    let _e3009 = phi_5483_;
-                                                    let _e3011 = phi_5484_;
-                                                    phi_5485_ = _e3009;
-                                                    phi_5486_ = _e3011;
+                                                    let _e3010 = phi_5484_;
+                                                    let _e3012 = phi_5485_;
+                                                    phi_5486_ = _e3010;
+                                                    phi_5487_ = _e3012;
                                                 } else {
-                                                    phi_5485_ = bool();
-                                                    phi_5486_ = true;
+                                                    phi_5486_ = bool();
+                                                    phi_5487_ = true;
                                                 }
-                                                let _e3013 = phi_5485_;
-                                                let _e3015 = phi_5486_;
-                                                phi_5494_ = select(_e3013, false, _e3015);
+                                                let _e3014 = phi_5486_;
+                                                let _e3016 = phi_5487_;
+                                                phi_5495_ = select(_e3014, false, _e3016);
                                             }
-                                            let _e3018 = phi_5494_;
-                                            if _e3018 {
-                                                if select(true, select(true, false, (_e2485 >= _e2262.member_1)), _e2493) {
-                                                    local = type_30(array<f32, 4>(_e2764.member[0], _e2764.member[1], _e2764.member[2], _e2764.member[3]), array<f32, 4>(_e2764.member_1[0], _e2764.member_1[1], _e2764.member_1[2], _e2764.member_1[3]), array<f32, 4>(_e2764.member_2[0], _e2764.member_2[1], _e2764.member_2[2], _e2764.member_2[3]));
-                                                    let _e3043 = local.member[0u];
-                                                    let _e3046 = local.member_1[0u];
-                                                    let _e3049 = local.member_2[0u];
-                                                    if select(true, select(true, false, (_e3046 > _e3049)), (_e3043 > _e3049)) {
-                                                        let _e3054 = (_e3046 >= _e3043);
-                                                        if _e3054 {
-                                                            phi_5603_ = f32();
-                                                            phi_5604_ = false;
+                                            let _e3019 = phi_5495_;
+                                            if _e3019 {
+                                                if select(true, select(true, false, (_e2486 >= _e2263.member_1)), _e2494) {
+                                                    local = type_30(array<f32, 4>(_e2765.member[0], _e2765.member[1], _e2765.member[2], _e2765.member[3]), array<f32, 4>(_e2765.member_1[0], _e2765.member_1[1], _e2765.member_1[2], _e2765.member_1[3]), array<f32, 4>(_e2765.member_2[0], _e2765.member_2[1], _e2765.member_2[2], _e2765.member_2[3]));
+                                                    let _e3044 = local.member[0u];
+                                                    let _e3047 = local.member_1[0u];
+                                                    let _e3050 = local.member_2[0u];
+                                                    if select(true, select(true, false, (_e3047 > _e3050)), (_e3044 > _e3050)) {
+                                                        let _e3055 = (_e3047 >= _e3044);
+                                                        if _e3055 {
+                                                            phi_5604_ = f32();
+                                                            phi_5605_ = false;
                                                         } else {
-                                                            if ((_e3043 - _e3046) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5601_ = (((_e3043 - _e3049) / (_e3043 - _e3046)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5602_ = false;
+                                                            if ((_e3044 - _e3047) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5602_ = (((_e3044 - _e3050) / (_e3044 - _e3047)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5603_ = false;
                                                             } else {
-                                                                phi_5601_ = f32();
-                                                                phi_5602_ = true;
+                                                                phi_5602_ = f32();
+                                                                phi_5603_ = true;
                                                             }
-                                                            let _e3065 = phi_5601_;
-                                                            let _e3067 = phi_5602_;
-                                                            phi_5603_ = _e3065;
-                                                            phi_5604_ = _e3067;
+                                                            let _e3066 = phi_5602_;
+                                                            let _e3068 = phi_5603_;
+                                                            phi_5604_ = _e3066;
+                                                            phi_5605_ = _e3068;
                                                         }
-                                                        let _e3069 = phi_5603_;
-                                                        let _e3071 = phi_5604_;
-                                                        phi_5605_ = _e3069;
-                                                        phi_5606_ = _e3054;
-                                                        phi_5607_ = _e3071;
+                                                        let _e3070 = phi_5604_;
+                                                        let _e3072 = phi_5605_;
+                                                        phi_5606_ = _e3070;
+                                                        phi_5607_ = _e3055;
+                                                        phi_5608_ = _e3072;
                                                     } else {
-                                                        phi_5605_ = f32();
-                                                        phi_5606_ = true;
-                                                        phi_5607_ = false;
+                                                        phi_5606_ = f32();
+                                                        phi_5607_ = true;
+                                                        phi_5608_ = false;
                                                     }
-                                                    let _e3073 = phi_5605_;
-                                                    let _e3075 = phi_5606_;
-                                                    let _e3077 = phi_5607_;
-                                                    let _e3080 = select(_e3073, select(_e2485, 2f, _e3075), select(_e3077, true, _e3075));
-                                                    let _e3083 = local.member[1u];
-                                                    let _e3086 = local.member_1[1u];
-                                                    let _e3089 = local.member_2[1u];
-                                                    if select(true, select(true, false, (_e3086 > _e3089)), (_e3083 > _e3089)) {
-                                                        let _e3094 = (_e3086 >= _e3083);
-                                                        if _e3094 {
-                                                            phi_5671_ = f32();
-                                                            phi_5672_ = false;
+                                                    let _e3074 = phi_5606_;
+                                                    let _e3076 = phi_5607_;
+                                                    let _e3078 = phi_5608_;
+                                                    let _e3081 = select(_e3074, select(_e2486, 2f, _e3076), select(_e3078, true, _e3076));
+                                                    let _e3084 = local.member[1u];
+                                                    let _e3087 = local.member_1[1u];
+                                                    let _e3090 = local.member_2[1u];
+                                                    if select(true, select(true, false, (_e3087 > _e3090)), (_e3084 > _e3090)) {
+                                                        let _e3095 = (_e3087 >= _e3084);
+                                                        if _e3095 {
+                                                            phi_5672_ = f32();
+                                                            phi_5673_ = false;
                                                         } else {
-                                                            if ((_e3083 - _e3086) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5669_ = (((_e3083 - _e3089) / (_e3083 - _e3086)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5670_ = false;
+                                                            if ((_e3084 - _e3087) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5670_ = (((_e3084 - _e3090) / (_e3084 - _e3087)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5671_ = false;
                                                             } else {
-                                                                phi_5669_ = f32();
-                                                                phi_5670_ = true;
+                                                                phi_5670_ = f32();
+                                                                phi_5671_ = true;
                                                             }
-                                                            let _e3105 = phi_5669_;
-                                                            let _e3107 = phi_5670_;
-                                                            phi_5671_ = _e3105;
-                                                            phi_5672_ = _e3107;
+                                                            let _e3106 = phi_5670_;
+                                                            let _e3108 = phi_5671_;
+                                                            phi_5672_ = _e3106;
+                                                            phi_5673_ = _e3108;
                                                         }
-                                                        let _e3109 = phi_5671_;
-                                                        let _e3111 = phi_5672_;
-                                                        phi_5673_ = _e3109;
-                                                        phi_5674_ = _e3094;
-                                                        phi_5675_ = _e3111;
+                                                        let _e3110 = phi_5672_;
+                                                        let _e3112 = phi_5673_;
+                                                        phi_5674_ = _e3110;
+                                                        phi_5675_ = _e3095;
+                                                        phi_5676_ = _e3112;
                                                     } else {
-                                                        phi_5673_ = f32();
-                                                        phi_5674_ = true;
-                                                        phi_5675_ = false;
+                                                        phi_5674_ = f32();
+                                                        phi_5675_ = true;
+                                                        phi_5676_ = false;
                                                     }
-                                                    let _e3113 = phi_5673_;
-                                                    let _e3115 = phi_5674_;
-                                                    let _e3117 = phi_5675_;
-                                                    let _e3120 = select(_e3113, select(_e2485, 2f, _e3115), select(_e3117, true, _e3115));
-                                                    let _e3122 = select(_e3120, _e3080, (_e3080 < _e3120));
-                                                    let _e3125 = local.member[2u];
-                                                    let _e3128 = local.member_1[2u];
-                                                    let _e3131 = local.member_2[2u];
-                                                    if select(true, select(true, false, (_e3128 > _e3131)), (_e3125 > _e3131)) {
-                                                        let _e3136 = (_e3128 >= _e3125);
-                                                        if _e3136 {
-                                                            phi_5744_ = f32();
-                                                            phi_5745_ = false;
+                                                    let _e3114 = phi_5674_;
+                                                    let _e3116 = phi_5675_;
+                                                    let _e3118 = phi_5676_;
+                                                    let _e3121 = select(_e3114, select(_e2486, 2f, _e3116), select(_e3118, true, _e3116));
+                                                    let _e3123 = select(_e3121, _e3081, (_e3081 < _e3121));
+                                                    let _e3126 = local.member[2u];
+                                                    let _e3129 = local.member_1[2u];
+                                                    let _e3132 = local.member_2[2u];
+                                                    if select(true, select(true, false, (_e3129 > _e3132)), (_e3126 > _e3132)) {
+                                                        let _e3137 = (_e3129 >= _e3126);
+                                                        if _e3137 {
+                                                            phi_5745_ = f32();
+                                                            phi_5746_ = false;
                                                         } else {
-                                                            if ((_e3125 - _e3128) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5742_ = (((_e3125 - _e3131) / (_e3125 - _e3128)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5743_ = false;
+                                                            if ((_e3126 - _e3129) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5743_ = (((_e3126 - _e3132) / (_e3126 - _e3129)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5744_ = false;
                                                             } else {
-                                                                phi_5742_ = f32();
-                                                                phi_5743_ = true;
+                                                                phi_5743_ = f32();
+                                                                phi_5744_ = true;
                                                             }
-                                                            let _e3147 = phi_5742_;
-                                                            let _e3149 = phi_5743_;
-                                                            phi_5744_ = _e3147;
-                                                            phi_5745_ = _e3149;
+                                                            let _e3148 = phi_5743_;
+                                                            let _e3150 = phi_5744_;
+                                                            phi_5745_ = _e3148;
+                                                            phi_5746_ = _e3150;
                                                         }
-                                                        let _e3151 = phi_5744_;
-                                                        let _e3153 = phi_5745_;
-                                                        phi_5746_ = _e3151;
-                                                        phi_5747_ = _e3136;
-                                                        phi_5748_ = _e3153;
+                                                        let _e3152 = phi_5745_;
+                                                        let _e3154 = phi_5746_;
+                                                        phi_5747_ = _e3152;
+                                                        phi_5748_ = _e3137;
+                                                        phi_5749_ = _e3154;
                                                     } else {
-                                                        phi_5746_ = f32();
-                                                        phi_5747_ = true;
-                                                        phi_5748_ = false;
+                                                        phi_5747_ = f32();
+                                                        phi_5748_ = true;
+                                                        phi_5749_ = false;
                                                     }
-                                                    let _e3155 = phi_5746_;
-                                                    let _e3157 = phi_5747_;
-                                                    let _e3159 = phi_5748_;
-                                                    let _e3162 = select(_e3155, select(_e2485, 2f, _e3157), select(_e3159, true, _e3157));
-                                                    let _e3165 = local.member[3u];
-                                                    let _e3168 = local.member_1[3u];
-                                                    let _e3171 = local.member_2[3u];
-                                                    if select(true, select(true, false, (_e3168 > _e3171)), (_e3165 > _e3171)) {
-                                                        let _e3176 = (_e3168 >= _e3165);
-                                                        if _e3176 {
-                                                            phi_5812_ = f32();
-                                                            phi_5813_ = false;
+                                                    let _e3156 = phi_5747_;
+                                                    let _e3158 = phi_5748_;
+                                                    let _e3160 = phi_5749_;
+                                                    let _e3163 = select(_e3156, select(_e2486, 2f, _e3158), select(_e3160, true, _e3158));
+                                                    let _e3166 = local.member[3u];
+                                                    let _e3169 = local.member_1[3u];
+                                                    let _e3172 = local.member_2[3u];
+                                                    if select(true, select(true, false, (_e3169 > _e3172)), (_e3166 > _e3172)) {
+                                                        let _e3177 = (_e3169 >= _e3166);
+                                                        if _e3177 {
+                                                            phi_5813_ = f32();
+                                                            phi_5814_ = false;
                                                         } else {
-                                                            if ((_e3165 - _e3168) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5810_ = (((_e3165 - _e3171) / (_e3165 - _e3168)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5811_ = false;
+                                                            if ((_e3166 - _e3169) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5811_ = (((_e3166 - _e3172) / (_e3166 - _e3169)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5812_ = false;
                                                             } else {
-                                                                phi_5810_ = f32();
-                                                                phi_5811_ = true;
+                                                                phi_5811_ = f32();
+                                                                phi_5812_ = true;
                                                             }
-                                                            let _e3187 = phi_5810_;
-                                                            let _e3189 = phi_5811_;
-                                                            phi_5812_ = _e3187;
-                                                            phi_5813_ = _e3189;
+                                                            let _e3188 = phi_5811_;
+                                                            let _e3190 = phi_5812_;
+                                                            phi_5813_ = _e3188;
+                                                            phi_5814_ = _e3190;
                                                         }
-                                                        let _e3191 = phi_5812_;
-                                                        let _e3193 = phi_5813_;
-                                                        phi_5814_ = _e3191;
-                                                        phi_5815_ = _e3176;
-                                                        phi_5816_ = _e3193;
+                                                        let _e3192 = phi_5813_;
+                                                        let _e3194 = phi_5814_;
+                                                        phi_5815_ = _e3192;
+                                                        phi_5816_ = _e3177;
+                                                        phi_5817_ = _e3194;
                                                     } else {
-                                                        phi_5814_ = f32();
-                                                        phi_5815_ = true;
-                                                        phi_5816_ = false;
+                                                        phi_5815_ = f32();
+                                                        phi_5816_ = true;
+                                                        phi_5817_ = false;
                                                     }
-                                                    let _e3195 = phi_5814_;
-                                                    let _e3197 = phi_5815_;
-                                                    let _e3199 = phi_5816_;
-                                                    let _e3202 = select(_e3195, select(_e2485, 2f, _e3197), select(_e3199, true, _e3197));
-                                                    let _e3204 = select(_e3202, _e3162, (_e3162 < _e3202));
-                                                    let _e3206 = select(_e3204, _e3122, (_e3122 < _e3204));
-                                                    let _e3208 = select(_e2485, _e3206, (_e3206 > _e2485));
-                                                    let _e3209 = (_e3208 > _e2262.member_1);
-                                                    if _e3209 {
-                                                        phi_6345_ = f32();
+                                                    let _e3196 = phi_5815_;
+                                                    let _e3198 = phi_5816_;
+                                                    let _e3200 = phi_5817_;
+                                                    let _e3203 = select(_e3196, select(_e2486, 2f, _e3198), select(_e3200, true, _e3198));
+                                                    let _e3205 = select(_e3203, _e3163, (_e3163 < _e3203));
+                                                    let _e3207 = select(_e3205, _e3123, (_e3123 < _e3205));
+                                                    let _e3209 = select(_e2486, _e3207, (_e3207 > _e2486));
+                                                    let _e3210 = (_e3209 > _e2263.member_1);
+                                                    if _e3210 {
                                                         phi_6346_ = f32();
-                                                        phi_6347_ = false;
+                                                        phi_6347_ = f32();
+                                                        phi_6348_ = false;
                                                     } else {
-                                                        let _e3210 = (_e3208 - _e2485);
-                                                        phi_6345_ = select((_e2262.member_1 - _e2485), select(0f, (_e2784 + _e2784), select(select(true, false, (_e3210 <= (_e2489 * 0.25f))), true, (_e3210 <= _e2480))), _e2493);
-                                                        phi_6346_ = _e3210;
-                                                        phi_6347_ = true;
+                                                        let _e3211 = (_e3209 - _e2486);
+                                                        phi_6346_ = select((_e2263.member_1 - _e2486), select(0f, (_e2785 + _e2785), select(select(true, false, (_e3211 <= (_e2490 * 0.25f))), true, (_e3211 <= _e2481))), _e2494);
+                                                        phi_6347_ = _e3211;
+                                                        phi_6348_ = true;
                                                     }
-                                                    let _e3221 = phi_6345_;
-                                                    let _e3223 = phi_6346_;
-                                                    let _e3225 = phi_6347_;
-                                                    phi_6349_ = _e3208;
-                                                    phi_6350_ = _e3221;
-                                                    phi_6351_ = _e3223;
-                                                    phi_6353_ = _e3225;
-                                                    phi_6354_ = _e3209;
-                                                    phi_6356_ = false;
+                                                    let _e3222 = phi_6346_;
+                                                    let _e3224 = phi_6347_;
+                                                    let _e3226 = phi_6348_;
+                                                    phi_6350_ = _e3209;
+                                                    phi_6351_ = _e3222;
+                                                    phi_6352_ = _e3224;
+                                                    phi_6354_ = _e3226;
+                                                    phi_6355_ = _e3210;
+                                                    phi_6357_ = false;
                                                 } else {
-                                                    phi_6349_ = f32();
                                                     phi_6350_ = f32();
                                                     phi_6351_ = f32();
-                                                    phi_6353_ = false;
+                                                    phi_6352_ = f32();
                                                     phi_6354_ = false;
-                                                    phi_6356_ = true;
+                                                    phi_6355_ = false;
+                                                    phi_6357_ = true;
                                                 }
-                                                let _e3227 = phi_6349_;
-                                                let _e3229 = phi_6350_;
-                                                let _e3231 = phi_6351_;
-                                                let _e3233 = phi_6353_;
-                                                let _e3235 = phi_6354_;
-                                                let _e3237 = phi_6356_;
-                                                phi_6357_ = _e3227;
-                                                phi_6358_ = _e3229;
-                                                phi_6359_ = _e3231;
-                                                phi_6361_ = false;
-                                                phi_6362_ = _e3233;
-                                                phi_6363_ = _e3235;
-                                                phi_6365_ = _e3237;
+                                                let _e3228 = phi_6350_;
+                                                let _e3230 = phi_6351_;
+                                                let _e3232 = phi_6352_;
+                                                let _e3234 = phi_6354_;
+                                                let _e3236 = phi_6355_;
+                                                let _e3238 = phi_6357_;
+                                                phi_6358_ = _e3228;
+                                                phi_6359_ = _e3230;
+                                                phi_6360_ = _e3232;
+                                                phi_6362_ = false;
+                                                phi_6363_ = _e3234;
+                                                phi_6364_ = _e3236;
+                                                phi_6366_ = _e3238;
                                             } else {
-                                                phi_6357_ = f32();
                                                 phi_6358_ = f32();
                                                 phi_6359_ = f32();
-                                                phi_6361_ = true;
-                                                phi_6362_ = false;
+                                                phi_6360_ = f32();
+                                                phi_6362_ = true;
                                                 phi_6363_ = false;
-                                                phi_6365_ = false;
+                                                phi_6364_ = false;
+                                                phi_6366_ = false;
                                             }
-                                            let _e3239 = phi_6357_;
-                                            let _e3241 = phi_6358_;
-                                            let _e3243 = phi_6359_;
-                                            let _e3245 = phi_6361_;
-                                            let _e3247 = phi_6362_;
-                                            let _e3249 = phi_6363_;
-                                            let _e3251 = phi_6365_;
-                                            phi_6366_ = _e3239;
-                                            phi_6367_ = _e3241;
-                                            phi_6368_ = _e3243;
-                                            phi_6370_ = _e3245;
-                                            phi_6371_ = _e3247;
-                                            phi_6372_ = _e3249;
-                                            phi_6374_ = _e3251;
+                                            let _e3240 = phi_6358_;
+                                            let _e3242 = phi_6359_;
+                                            let _e3244 = phi_6360_;
+                                            let _e3246 = phi_6362_;
+                                            let _e3248 = phi_6363_;
+                                            let _e3250 = phi_6364_;
+                                            let _e3252 = phi_6366_;
+                                            phi_6367_ = _e3240;
+                                            phi_6368_ = _e3242;
+                                            phi_6369_ = _e3244;
+                                            phi_6371_ = _e3246;
+                                            phi_6372_ = _e3248;
+                                            phi_6373_ = _e3250;
+                                            phi_6375_ = _e3252;
                                         } else {
-                                            phi_6366_ = f32();
                                             phi_6367_ = f32();
                                             phi_6368_ = f32();
-                                            phi_6370_ = true;
-                                            phi_6371_ = false;
+                                            phi_6369_ = f32();
+                                            phi_6371_ = true;
                                             phi_6372_ = false;
-                                            phi_6374_ = false;
+                                            phi_6373_ = false;
+                                            phi_6375_ = false;
                                         }
-                                        let _e3253 = phi_6366_;
-                                        let _e3255 = phi_6367_;
-                                        let _e3257 = phi_6368_;
-                                        let _e3259 = phi_6370_;
-                                        let _e3261 = phi_6371_;
-                                        let _e3263 = phi_6372_;
-                                        let _e3265 = phi_6374_;
-                                        if _e3259 {
-                                            if (_e2485 <= _e2487) {
-                                                let _e3418 = (_e2495 + 1u);
-                                                let _e3419 = (_e3418 > 3u);
-                                                phi_6709_ = _e3418;
-                                                phi_6710_ = f32();
-                                                phi_6711_ = false;
-                                                phi_6712_ = select(true, false, _e3419);
-                                                phi_6713_ = _e3419;
-                                            } else {
-                                                let _e3269 = local.member[0u];
-                                                let _e3272 = local.member_1[0u];
-                                                let _e3275 = local.member[0u];
-                                                let _e3281 = local.member_2[0u];
-                                                let _e3282 = ((_e3269 + ((_e3272 - _e3275) * _e2491)) - _e3281);
-                                                let _e3285 = local.member[1u];
-                                                let _e3288 = local.member_1[1u];
-                                                let _e3291 = local.member[1u];
-                                                let _e3297 = local.member_2[1u];
-                                                let _e3298 = ((_e3285 + ((_e3288 - _e3291) * _e2491)) - _e3297);
-                                                let _e3300 = select(_e3298, _e3282, (_e3282 < _e3298));
-                                                let _e3303 = local.member[2u];
-                                                let _e3306 = local.member_1[2u];
-                                                let _e3309 = local.member[2u];
-                                                let _e3315 = local.member_2[2u];
-                                                let _e3316 = ((_e3303 + ((_e3306 - _e3309) * _e2491)) - _e3315);
-                                                let _e3319 = local.member[3u];
-                                                let _e3322 = local.member_1[3u];
-                                                let _e3325 = local.member[3u];
-                                                let _e3331 = local.member_2[3u];
-                                                let _e3332 = ((_e3319 + ((_e3322 - _e3325) * _e2491)) - _e3331);
-                                                let _e3334 = select(_e3332, _e3316, (_e3316 < _e3332));
-                                                let _e3336 = select(_e3334, _e3300, (_e3300 < _e3334));
-                                                let _e3339 = local_1.member[0u];
-                                                let _e3342 = local_1.member_1[0u];
-                                                let _e3345 = local_1.member[0u];
-                                                let _e3351 = local_1.member_2[0u];
-                                                let _e3352 = ((_e3339 + ((_e3342 - _e3345) * _e2485)) - _e3351);
-                                                let _e3355 = local_1.member[1u];
-                                                let _e3358 = local_1.member_1[1u];
-                                                let _e3361 = local_1.member[1u];
-                                                let _e3367 = local_1.member_2[1u];
-                                                let _e3368 = ((_e3355 + ((_e3358 - _e3361) * _e2485)) - _e3367);
-                                                let _e3370 = select(_e3368, _e3352, (_e3352 < _e3368));
-                                                let _e3373 = local_1.member[2u];
-                                                let _e3376 = local_1.member_1[2u];
-                                                let _e3379 = local_1.member[2u];
-                                                let _e3385 = local_1.member_2[2u];
-                                                let _e3386 = ((_e3373 + ((_e3376 - _e3379) * _e2485)) - _e3385);
-                                                let _e3389 = local_1.member[3u];
-                                                let _e3392 = local_1.member_1[3u];
-                                                let _e3395 = local_1.member[3u];
-                                                let _e3401 = local_1.member_2[3u];
-                                                let _e3402 = ((_e3389 + ((_e3392 - _e3395) * _e2485)) - _e3401);
-                                                let _e3404 = select(_e3402, _e3386, (_e3386 < _e3402));
-                                                let _e3406 = select(_e3404, _e3370, (_e3370 < _e3404));
-                                                if (_e3406 > 0f) {
-                                                    phi_6707_ = 0.5f;
-                                                } else {
-                                                    let _e3410 = (0.95f * (_e3336 / (_e3336 - _e3406)));
-                                                    phi_6707_ = select(0.0625f, select(0.9f, _e3410, (_e3410 < 0.9f)), (_e3410 > 0.0625f));
-                                                }
-                                                let _e3416 = phi_6707_;
-                                                phi_6709_ = u32();
-                                                phi_6710_ = (_e2784 * _e3416);
-                                                phi_6711_ = true;
+                                        let _e3254 = phi_6367_;
+                                        let _e3256 = phi_6368_;
+                                        let _e3258 = phi_6369_;
+                                        let _e3260 = phi_6371_;
+                                        let _e3262 = phi_6372_;
+                                        let _e3264 = phi_6373_;
+                                        let _e3266 = phi_6375_;
+                                        if _e3260 {
+                                            if (_e2486 <= _e2488) {
+                                                let _e3419 = (_e2496 + 1u);
+                                                let _e3420 = (_e3419 > 3u);
+                                                phi_6710_ = _e3419;
+                                                phi_6711_ = f32();
                                                 phi_6712_ = false;
+                                                phi_6713_ = select(true, false, _e3420);
+                                                phi_6714_ = _e3420;
+                                            } else {
+                                                let _e3270 = local.member[0u];
+                                                let _e3273 = local.member_1[0u];
+                                                let _e3276 = local.member[0u];
+                                                let _e3282 = local.member_2[0u];
+                                                let _e3283 = ((_e3270 + ((_e3273 - _e3276) * _e2492)) - _e3282);
+                                                let _e3286 = local.member[1u];
+                                                let _e3289 = local.member_1[1u];
+                                                let _e3292 = local.member[1u];
+                                                let _e3298 = local.member_2[1u];
+                                                let _e3299 = ((_e3286 + ((_e3289 - _e3292) * _e2492)) - _e3298);
+                                                let _e3301 = select(_e3299, _e3283, (_e3283 < _e3299));
+                                                let _e3304 = local.member[2u];
+                                                let _e3307 = local.member_1[2u];
+                                                let _e3310 = local.member[2u];
+                                                let _e3316 = local.member_2[2u];
+                                                let _e3317 = ((_e3304 + ((_e3307 - _e3310) * _e2492)) - _e3316);
+                                                let _e3320 = local.member[3u];
+                                                let _e3323 = local.member_1[3u];
+                                                let _e3326 = local.member[3u];
+                                                let _e3332 = local.member_2[3u];
+                                                let _e3333 = ((_e3320 + ((_e3323 - _e3326) * _e2492)) - _e3332);
+                                                let _e3335 = select(_e3333, _e3317, (_e3317 < _e3333));
+                                                let _e3337 = select(_e3335, _e3301, (_e3301 < _e3335));
+                                                let _e3340 = local_1.member[0u];
+                                                let _e3343 = local_1.member_1[0u];
+                                                let _e3346 = local_1.member[0u];
+                                                let _e3352 = local_1.member_2[0u];
+                                                let _e3353 = ((_e3340 + ((_e3343 - _e3346) * _e2486)) - _e3352);
+                                                let _e3356 = local_1.member[1u];
+                                                let _e3359 = local_1.member_1[1u];
+                                                let _e3362 = local_1.member[1u];
+                                                let _e3368 = local_1.member_2[1u];
+                                                let _e3369 = ((_e3356 + ((_e3359 - _e3362) * _e2486)) - _e3368);
+                                                let _e3371 = select(_e3369, _e3353, (_e3353 < _e3369));
+                                                let _e3374 = local_1.member[2u];
+                                                let _e3377 = local_1.member_1[2u];
+                                                let _e3380 = local_1.member[2u];
+                                                let _e3386 = local_1.member_2[2u];
+                                                let _e3387 = ((_e3374 + ((_e3377 - _e3380) * _e2486)) - _e3386);
+                                                let _e3390 = local_1.member[3u];
+                                                let _e3393 = local_1.member_1[3u];
+                                                let _e3396 = local_1.member[3u];
+                                                let _e3402 = local_1.member_2[3u];
+                                                let _e3403 = ((_e3390 + ((_e3393 - _e3396) * _e2486)) - _e3402);
+                                                let _e3405 = select(_e3403, _e3387, (_e3387 < _e3403));
+                                                let _e3407 = select(_e3405, _e3371, (_e3371 < _e3405));
+                                                if (_e3407 > 0f) {
+                                                    phi_6708_ = 0.5f;
+                                                } else {
+                                                    let _e3411 = (0.95f * (_e3337 / (_e3337 - _e3407)));
+                                                    phi_6708_ = select(0.0625f, select(0.9f, _e3411, (_e3411 < 0.9f)), (_e3411 > 0.0625f));
+                                                }
+                                                let _e3417 = phi_6708_;
+                                                phi_6710_ = u32();
+                                                phi_6711_ = (_e2785 * _e3417);
+                                                phi_6712_ = true;
                                                 phi_6713_ = false;
+                                                phi_6714_ = false;
                                             }
-                                            let _e3422 = phi_6709_;
-                                            let _e3424 = phi_6710_;
-                                            let _e3426 = phi_6711_;
-                                            let _e3428 = phi_6712_;
-                                            let _e3430 = phi_6713_;
-                                            phi_6714_ = _e3422;
-                                            phi_6715_ = _e2487;
-                                            phi_6716_ = _e3424;
-                                            phi_6717_ = _e2489;
-                                            phi_6718_ = _e2491;
-                                            phi_6719_ = _e2493;
-                                            phi_6720_ = _e2495;
-                                            phi_6721_ = _e3426;
-                                            phi_6722_ = _e3428;
-                                            phi_6723_ = _e3430;
-                                            phi_6724_ = false;
-                                            phi_6726_ = false;
+                                            let _e3423 = phi_6710_;
+                                            let _e3425 = phi_6711_;
+                                            let _e3427 = phi_6712_;
+                                            let _e3429 = phi_6713_;
+                                            let _e3431 = phi_6714_;
+                                            phi_6715_ = _e3423;
+                                            phi_6716_ = _e2488;
+                                            phi_6717_ = _e3425;
+                                            phi_6718_ = _e2490;
+                                            phi_6719_ = _e2492;
+                                            phi_6720_ = _e2494;
+                                            phi_6721_ = _e2496;
+                                            phi_6722_ = _e3427;
+                                            phi_6723_ = _e3429;
+                                            phi_6724_ = _e3431;
+                                            phi_6725_ = false;
+                                            phi_6727_ = false;
                                         } else {
-                                            phi_6714_ = u32();
-                                            phi_6715_ = _e3253;
-                                            phi_6716_ = _e3255;
-                                            phi_6717_ = _e3257;
-                                            phi_6718_ = _e2485;
-                                            phi_6719_ = true;
-                                            phi_6720_ = 0u;
-                                            phi_6721_ = _e3261;
-                                            phi_6722_ = false;
+                                            phi_6715_ = u32();
+                                            phi_6716_ = _e3254;
+                                            phi_6717_ = _e3256;
+                                            phi_6718_ = _e3258;
+                                            phi_6719_ = _e2486;
+                                            phi_6720_ = true;
+                                            phi_6721_ = 0u;
+                                            phi_6722_ = _e3262;
                                             phi_6723_ = false;
-                                            phi_6724_ = _e3263;
-                                            phi_6726_ = _e3265;
+                                            phi_6724_ = false;
+                                            phi_6725_ = _e3264;
+                                            phi_6727_ = _e3266;
                                         }
-                                        let _e3432 = phi_6714_;
-                                        let _e3434 = phi_6715_;
-                                        let _e3436 = phi_6716_;
-                                        let _e3438 = phi_6717_;
-                                        let _e3440 = phi_6718_;
-                                        let _e3442 = phi_6719_;
-                                        let _e3444 = phi_6720_;
-                                        let _e3446 = phi_6721_;
-                                        let _e3448 = phi_6722_;
-                                        let _e3450 = phi_6723_;
-                                        let _e3452 = phi_6724_;
-                                        let _e3454 = phi_6726_;
-                                        if _e3446 {
-                                            let _e3455 = (_e3440 + _e3436);
-                                            let _e3457 = select(_e3434, _e3455, (_e3455 > _e3434));
-                                            let _e3459 = select(_e2262.member_1, _e3457, (_e3457 < _e2262.member_1));
-                                            let _e3462 = select(((_e3459 - _e3440) > _e2480), true, !(_e2493));
-                                            phi_6754_ = _e3459;
-                                            phi_6755_ = _e3434;
-                                            phi_6756_ = _e3438;
-                                            phi_6757_ = _e3440;
-                                            phi_6758_ = _e3442;
-                                            phi_6759_ = _e3444;
-                                            phi_6760_ = _e3462;
-                                            phi_6761_ = select(true, false, _e3462);
-                                            phi_6762_ = false;
+                                        let _e3433 = phi_6715_;
+                                        let _e3435 = phi_6716_;
+                                        let _e3437 = phi_6717_;
+                                        let _e3439 = phi_6718_;
+                                        let _e3441 = phi_6719_;
+                                        let _e3443 = phi_6720_;
+                                        let _e3445 = phi_6721_;
+                                        let _e3447 = phi_6722_;
+                                        let _e3449 = phi_6723_;
+                                        let _e3451 = phi_6724_;
+                                        let _e3453 = phi_6725_;
+                                        let _e3455 = phi_6727_;
+                                        if _e3447 {
+                                            let _e3456 = (_e3441 + _e3437);
+                                            let _e3458 = select(_e3435, _e3456, (_e3456 > _e3435));
+                                            let _e3460 = select(_e2263.member_1, _e3458, (_e3458 < _e2263.member_1));
+                                            let _e3463 = select(((_e3460 - _e3441) > _e2481), true, !(_e2494));
+                                            phi_6755_ = _e3460;
+                                            phi_6756_ = _e3435;
+                                            phi_6757_ = _e3439;
+                                            phi_6758_ = _e3441;
+                                            phi_6759_ = _e3443;
+                                            phi_6760_ = _e3445;
+                                            phi_6761_ = _e3463;
+                                            phi_6762_ = select(true, false, _e3463);
                                             phi_6763_ = false;
-                                            phi_6765_ = false;
+                                            phi_6764_ = false;
+                                            phi_6766_ = false;
                                         } else {
-                                            phi_6754_ = _e2485;
-                                            phi_6755_ = _e2487;
-                                            phi_6756_ = _e2489;
-                                            phi_6757_ = _e2491;
-                                            phi_6758_ = _e2493;
-                                            phi_6759_ = _e3432;
-                                            phi_6760_ = _e3448;
-                                            phi_6761_ = false;
-                                            phi_6762_ = _e3450;
-                                            phi_6763_ = _e3452;
-                                            phi_6765_ = _e3454;
+                                            phi_6755_ = _e2486;
+                                            phi_6756_ = _e2488;
+                                            phi_6757_ = _e2490;
+                                            phi_6758_ = _e2492;
+                                            phi_6759_ = _e2494;
+                                            phi_6760_ = _e3433;
+                                            phi_6761_ = _e3449;
+                                            phi_6762_ = false;
+                                            phi_6763_ = _e3451;
+                                            phi_6764_ = _e3453;
+                                            phi_6766_ = _e3455;
                                         }
-                                        let _e3465 = phi_6754_;
-                                        let _e3467 = phi_6755_;
-                                        let _e3469 = phi_6756_;
-                                        let _e3471 = phi_6757_;
-                                        let _e3473 = phi_6758_;
-                                        let _e3475 = phi_6759_;
-                                        let _e3477 = phi_6760_;
-                                        let _e3479 = phi_6761_;
-                                        let _e3481 = phi_6762_;
-                                        let _e3483 = phi_6763_;
-                                        let _e3485 = phi_6765_;
-                                        phi_4587_ = _e3465;
-                                        phi_4589_ = _e3467;
-                                        phi_4591_ = _e3469;
-                                        phi_4593_ = _e3471;
-                                        phi_4595_ = _e3473;
-                                        phi_4597_ = _e3475;
-                                        phi_6766_ = _e3434;
-                                        phi_6768_ = _e3477;
-                                        phi_6769_ = _e3479;
-                                        phi_6770_ = _e3481;
-                                        phi_6771_ = _e3483;
-                                        phi_6773_ = false;
-                                        phi_6774_ = _e3485;
+                                        let _e3466 = phi_6755_;
+                                        let _e3468 = phi_6756_;
+                                        let _e3470 = phi_6757_;
+                                        let _e3472 = phi_6758_;
+                                        let _e3474 = phi_6759_;
+                                        let _e3476 = phi_6760_;
+                                        let _e3478 = phi_6761_;
+                                        let _e3480 = phi_6762_;
+                                        let _e3482 = phi_6763_;
+                                        let _e3484 = phi_6764_;
+                                        let _e3486 = phi_6766_;
+                                        phi_4588_ = _e3466;
+                                        phi_4590_ = _e3468;
+                                        phi_4592_ = _e3470;
+                                        phi_4594_ = _e3472;
+                                        phi_4596_ = _e3474;
+                                        phi_4598_ = _e3476;
+                                        phi_6767_ = _e3435;
+                                        phi_6769_ = _e3478;
+                                        phi_6770_ = _e3480;
+                                        phi_6771_ = _e3482;
+                                        phi_6772_ = _e3484;
+                                        phi_6774_ = false;
+                                        phi_6775_ = _e3486;
                                     } else {
-                                        phi_4587_ = f32();
-                                        phi_4589_ = f32();
-                                        phi_4591_ = f32();
-                                        phi_4593_ = f32();
-                                        phi_4595_ = bool();
-                                        phi_4597_ = u32();
-                                        phi_6766_ = f32();
-                                        phi_6768_ = false;
+                                        phi_4588_ = f32();
+                                        phi_4590_ = f32();
+                                        phi_4592_ = f32();
+                                        phi_4594_ = f32();
+                                        phi_4596_ = bool();
+                                        phi_4598_ = u32();
+                                        phi_6767_ = f32();
                                         phi_6769_ = false;
                                         phi_6770_ = false;
                                         phi_6771_ = false;
-                                        phi_6773_ = true;
-                                        phi_6774_ = false;
+                                        phi_6772_ = false;
+                                        phi_6774_ = true;
+                                        phi_6775_ = false;
                                     }
-                                    let _e3487 = phi_4587_;
-                                    let _e3489 = phi_4589_;
-                                    let _e3491 = phi_4591_;
-                                    let _e3493 = phi_4593_;
-                                    let _e3495 = phi_4595_;
-                                    let _e3497 = phi_4597_;
-                                    let _e3499 = phi_6766_;
-                                    let _e3501 = phi_6768_;
-                                    let _e3503 = phi_6769_;
-                                    let _e3505 = phi_6770_;
-                                    let _e3507 = phi_6771_;
-                                    let _e3509 = phi_6773_;
-                                    let _e3511 = phi_6774_;
-                                    local_21 = _e3503;
-                                    local_22 = _e3505;
-                                    local_23 = _e3503;
-                                    local_24 = _e3507;
-                                    local_25 = _e3503;
-                                    local_26 = _e3509;
-                                    local_27 = _e3503;
-                                    local_28 = _e3511;
-                                    local_30 = _e3503;
-                                    local_31 = _e3499;
+                                    let _e3488 = phi_4588_;
+                                    let _e3490 = phi_4590_;
+                                    let _e3492 = phi_4592_;
+                                    let _e3494 = phi_4594_;
+                                    let _e3496 = phi_4596_;
+                                    let _e3498 = phi_4598_;
+                                    let _e3500 = phi_6767_;
+                                    let _e3502 = phi_6769_;
+                                    let _e3504 = phi_6770_;
+                                    let _e3506 = phi_6771_;
+                                    let _e3508 = phi_6772_;
+                                    let _e3510 = phi_6774_;
+                                    let _e3512 = phi_6775_;
+                                    local_21 = _e3504;
+                                    local_22 = _e3506;
+                                    local_23 = _e3504;
+                                    local_24 = _e3508;
+                                    local_25 = _e3504;
+                                    local_26 = _e3510;
+                                    local_27 = _e3504;
+                                    local_28 = _e3512;
+                                    local_30 = _e3504;
+                                    local_31 = _e3500;
                                     continue;
                                     continuing {
-                                        phi_4583_ = type_9(select(_e2483.member, (_e2483.member + 1u), _e2498), select(_e2483.member_1, _e2483.member_1, _e2498));
-                                        phi_4586_ = _e3487;
-                                        phi_4588_ = _e3489;
-                                        phi_4590_ = _e3491;
-                                        phi_4592_ = _e3493;
-                                        phi_4594_ = _e3495;
-                                        phi_4596_ = _e3497;
-                                        break if !(_e3501);
+                                        phi_4584_ = type_9(select(_e2484.member, (_e2484.member + 1u), _e2499), select(_e2484.member_1, _e2484.member_1, _e2499));
+                                        phi_4587_ = _e3488;
+                                        phi_4589_ = _e3490;
+                                        phi_4591_ = _e3492;
+                                        phi_4593_ = _e3494;
+                                        phi_4595_ = _e3496;
+                                        phi_4597_ = _e3498;
+                                        break if !(_e3502);
                                     }
                                 }
-                                let _e3514 = local_21;
-                                let _e3516 = local_22;
-                                let _e3517 = select(_e3516, false, _e3514);
-                                let _e3519 = local_23;
-                                let _e3521 = local_24;
-                                let _e3524 = local_25;
-                                let _e3526 = local_26;
-                                let _e3529 = local_27;
-                                let _e3531 = local_28;
-                                let _e3537 = local_29;
-                                let _e3539 = select(select(_e3521, false, _e3519), false, _e3517);
-                                let _e3541 = local_30;
-                                let _e3548 = select(select(_e3541, false, _e3517), false, _e3539);
-                                let _e3553 = local_31;
-                                let _e3555 = local_32;
-                                let _e3557 = select(select(select(select(_e3526, false, _e3524), false, _e3517), false, _e3539), true, _e3548);
-                                let _e3564 = select(select(select(select(select(_e3531, false, _e3529), false, _e3517), false, _e3539), false, _e3548), false, _e3557);
-                                let _e3569 = select(select(select(select(_e3517, true, _e3539), false, _e3548), false, _e3557), true, _e3564);
-                                let _e3572 = (select(select(type_33().member, 1u, _e3557), select(select(select(type_33().member, 1u, _e3517), 0u, _e3539), 0u, _e3564), _e3569) != 0u);
-                                phi_6842_ = select(select(type_33().member_1, select(_e3555, _e3553, _e3548), _e3557), select(select(select(type_33().member_1, _e3537, _e3517), type_33().member_1, _e3539), type_33().member_1, _e3564), _e3569);
-                                phi_6843_ = select(true, false, _e3572);
-                                phi_6844_ = _e3572;
-                                phi_6845_ = false;
+                                let _e3515 = local_21;
+                                let _e3517 = local_22;
+                                let _e3518 = select(_e3517, false, _e3515);
+                                let _e3520 = local_23;
+                                let _e3522 = local_24;
+                                let _e3525 = local_25;
+                                let _e3527 = local_26;
+                                let _e3530 = local_27;
+                                let _e3532 = local_28;
+                                let _e3538 = local_29;
+                                let _e3540 = select(select(_e3522, false, _e3520), false, _e3518);
+                                let _e3542 = local_30;
+                                let _e3549 = select(select(_e3542, false, _e3518), false, _e3540);
+                                let _e3554 = local_31;
+                                let _e3556 = local_32;
+                                let _e3558 = select(select(select(select(_e3527, false, _e3525), false, _e3518), false, _e3540), true, _e3549);
+                                let _e3565 = select(select(select(select(select(_e3532, false, _e3530), false, _e3518), false, _e3540), false, _e3549), false, _e3558);
+                                let _e3570 = select(select(select(select(_e3518, true, _e3540), false, _e3549), false, _e3558), true, _e3565);
+                                let _e3573 = (select(select(type_33().member, 1u, _e3558), select(select(select(type_33().member, 1u, _e3518), 0u, _e3540), 0u, _e3565), _e3570) != 0u);
+                                phi_6843_ = select(select(type_33().member_1, select(_e3556, _e3554, _e3549), _e3558), select(select(select(type_33().member_1, _e3538, _e3518), type_33().member_1, _e3540), type_33().member_1, _e3565), _e3570);
+                                phi_6844_ = select(true, false, _e3573);
+                                phi_6845_ = _e3573;
                                 phi_6846_ = false;
                                 phi_6847_ = false;
+                                phi_6848_ = false;
                             } else {
-                                phi_6842_ = f32();
-                                phi_6843_ = _e2270;
-                                phi_6844_ = false;
-                                phi_6845_ = _e2272;
-                                phi_6846_ = _e2274;
-                                phi_6847_ = _e2276;
+                                phi_6843_ = f32();
+                                phi_6844_ = _e2271;
+                                phi_6845_ = false;
+                                phi_6846_ = _e2273;
+                                phi_6847_ = _e2275;
+                                phi_6848_ = _e2277;
                             }
-                            let _e3575 = phi_6842_;
-                            let _e3577 = phi_6843_;
-                            let _e3579 = phi_6844_;
-                            let _e3581 = phi_6845_;
-                            let _e3583 = phi_6846_;
-                            let _e3585 = phi_6847_;
-                            phi_6848_ = _e2262;
-                            phi_6849_ = _e2264;
-                            phi_6850_ = _e3575;
-                            phi_6851_ = _e2266;
-                            phi_6852_ = _e3577;
-                            phi_6853_ = _e3579;
-                            phi_6854_ = false;
-                            phi_6855_ = _e3581;
-                            phi_6856_ = _e3583;
-                            phi_6857_ = _e3585;
-                        } else {
-                            phi_6848_ = type_38();
-                            phi_6849_ = bool();
-                            phi_6850_ = f32();
-                            phi_6851_ = type_38();
-                            phi_6852_ = false;
-                            phi_6853_ = false;
-                            phi_6854_ = true;
+                            let _e3576 = phi_6843_;
+                            let _e3578 = phi_6844_;
+                            let _e3580 = phi_6845_;
+                            let _e3582 = phi_6846_;
+                            let _e3584 = phi_6847_;
+                            let _e3586 = phi_6848_;
+                            phi_6849_ = _e2263;
+                            phi_6850_ = _e2265;
+                            phi_6851_ = _e3576;
+                            phi_6852_ = _e2267;
+                            phi_6853_ = _e3578;
+                            phi_6854_ = _e3580;
                             phi_6855_ = false;
+                            phi_6856_ = _e3582;
+                            phi_6857_ = _e3584;
+                            phi_6858_ = _e3586;
+                        } else {
+                            phi_6849_ = type_38();
+                            phi_6850_ = bool();
+                            phi_6851_ = f32();
+                            phi_6852_ = type_38();
+                            phi_6853_ = false;
+                            phi_6854_ = false;
+                            phi_6855_ = true;
                             phi_6856_ = false;
                             phi_6857_ = false;
+                            phi_6858_ = false;
                         }
-                        let _e3587 = phi_6848_;
-                        let _e3589 = phi_6849_;
-                        let _e3591 = phi_6850_;
-                        let _e3593 = phi_6851_;
-                        let _e3595 = phi_6852_;
-                        let _e3597 = phi_6853_;
-                        let _e3599 = phi_6854_;
-                        let _e3601 = phi_6855_;
-                        let _e3603 = phi_6856_;
-                        let _e3605 = phi_6857_;
-                        local_33 = _e3597;
-                        local_34 = _e3589;
-                        local_35 = _e3587;
-                        local_36 = _e3591;
-                        local_37 = _e3591;
-                        local_38 = _e3591;
-                        local_42 = _e3599;
-                        local_43 = _e3601;
-                        local_44 = _e3603;
-                        local_45 = _e3605;
-                        local_39 = _e3597;
-                        local_40 = _e3593;
+                        let _e3588 = phi_6849_;
+                        let _e3590 = phi_6850_;
+                        let _e3592 = phi_6851_;
+                        let _e3594 = phi_6852_;
+                        let _e3596 = phi_6853_;
+                        let _e3598 = phi_6854_;
+                        let _e3600 = phi_6855_;
+                        let _e3602 = phi_6856_;
+                        let _e3604 = phi_6857_;
+                        let _e3606 = phi_6858_;
+                        local_33 = _e3598;
+                        local_34 = _e3590;
+                        local_35 = _e3588;
+                        local_36 = _e3592;
+                        local_37 = _e3592;
+                        local_38 = _e3592;
+                        local_42 = _e3600;
+                        local_43 = _e3602;
+                        local_44 = _e3604;
+                        local_45 = _e3606;
+                        local_39 = _e3598;
+                        local_40 = _e3594;
                         continue;
                         continuing {
-                            phi_2728_ = type_9(select(_e1284.member, (_e1284.member + 1u), _e1287), select(_e1284.member_1, _e1284.member_1, _e1287));
-                            break if !(_e3595);
+                            phi_2729_ = type_9(select(_e1285.member, (_e1285.member + 1u), _e1288), select(_e1285.member_1, _e1285.member_1, _e1288));
+                            break if !(_e3596);
                         }
                     }
-                    let _e3608 = local_33;
-                    if _e3608 {
-                        let _e3610 = local_34;
-                        if _e3610 {
-                            let _e3612 = local_35;
-                            let _e3615 = local_36;
-                            let _e3617 = ((_e3612.member_1 - _e3615) <= _e1248);
-                            let _e3622 = local_37;
-                            phi_6873_ = type_33(select(type_33().member, 1u, _e3617), select(type_33().member_1, _e3622, _e3617));
-                            phi_6874_ = select(true, false, _e3617);
+                    let _e3609 = local_33;
+                    if _e3609 {
+                        let _e3611 = local_34;
+                        if _e3611 {
+                            let _e3613 = local_35;
+                            let _e3616 = local_36;
+                            let _e3618 = ((_e3613.member_1 - _e3616) <= _e1249);
+                            let _e3623 = local_37;
+                            phi_6874_ = type_33(select(type_33().member, 1u, _e3618), select(type_33().member_1, _e3623, _e3618));
+                            phi_6875_ = select(true, false, _e3618);
                         } else {
-                            phi_6873_ = type_33();
-                            phi_6874_ = true;
+                            phi_6874_ = type_33();
+                            phi_6875_ = true;
                         }
-                        let _e3627 = phi_6873_;
-                        let _e3629 = phi_6874_;
-                        let _e3634 = local_38;
-                        phi_6880_ = type_33(select(_e3627.member, 2u, _e3629), select(_e3627.member_1, _e3634, _e3629));
-                        phi_6881_ = false;
+                        let _e3628 = phi_6874_;
+                        let _e3630 = phi_6875_;
+                        let _e3635 = local_38;
+                        phi_6881_ = type_33(select(_e3628.member, 2u, _e3630), select(_e3628.member_1, _e3635, _e3630));
                         phi_6882_ = false;
                         phi_6883_ = false;
                         phi_6884_ = false;
+                        phi_6885_ = false;
                     } else {
-                        phi_6880_ = type_33();
-                        let _e4137 = local_42;
-                        phi_6881_ = _e4137;
-                        let _e4140 = local_43;
-                        phi_6882_ = _e4140;
-                        let _e4143 = local_44;
-                        phi_6883_ = _e4143;
-                        let _e4146 = local_45;
-                        phi_6884_ = _e4146;
+                        phi_6881_ = type_33();
+                        let _e4139 = local_42;
+                        phi_6882_ = _e4139;
+                        let _e4142 = local_43;
+                        phi_6883_ = _e4142;
+                        let _e4145 = local_44;
+                        phi_6884_ = _e4145;
+                        let _e4148 = local_45;
+                        phi_6885_ = _e4148;
                     }
-                    let _e3638 = phi_6880_;
-                    let _e3640 = phi_6881_;
-                    let _e3642 = phi_6882_;
-                    let _e3644 = phi_6883_;
-                    let _e3646 = phi_6884_;
-                    let _e3653 = select(_e3642, false, _e3640);
-                    let _e3657 = local_39;
-                    let _e3664 = select(select(_e3644, false, _e3640), false, _e3653);
-                    let _e3670 = select(select(select(_e3646, false, _e3640), false, _e3653), false, _e3664);
-                    let _e3674 = local_40;
-                    let _e3678 = select(select(_e3653, true, _e3664), true, _e3670);
-                    phi_6926_ = type_33(select(_e3638.member, select(select(select(type_33().member, 0u, _e3653), 0u, _e3664), 1u, _e3670), _e3678), select(_e3638.member_1, select(select(select(type_33().member_1, type_33().member_1, _e3653), type_33().member_1, _e3664), _e3674.member, _e3670), _e3678));
-                    phi_6927_ = type_33(select(type_33().member, 0u, _e3640), select(type_33().member_1, type_33().member_1, _e3640));
-                    phi_6928_ = select(select(select(select(select(_e3657, false, _e3640), false, _e3653), false, _e3664), false, _e3670), true, _e3678);
+                    let _e3639 = phi_6881_;
+                    let _e3641 = phi_6882_;
+                    let _e3643 = phi_6883_;
+                    let _e3645 = phi_6884_;
+                    let _e3647 = phi_6885_;
+                    let _e3654 = select(_e3643, false, _e3641);
+                    let _e3658 = local_39;
+                    let _e3665 = select(select(_e3645, false, _e3641), false, _e3654);
+                    let _e3671 = select(select(select(_e3647, false, _e3641), false, _e3654), false, _e3665);
+                    let _e3675 = local_40;
+                    let _e3679 = select(select(_e3654, true, _e3665), true, _e3671);
+                    phi_6927_ = type_33(select(_e3639.member, select(select(select(type_33().member, 0u, _e3654), 0u, _e3665), 1u, _e3671), _e3679), select(_e3639.member_1, select(select(select(type_33().member_1, type_33().member_1, _e3654), type_33().member_1, _e3665), _e3675.member, _e3671), _e3679));
+                    phi_6928_ = type_33(select(type_33().member, 0u, _e3641), select(type_33().member_1, type_33().member_1, _e3641));
+                    phi_6929_ = select(select(select(select(select(_e3658, false, _e3641), false, _e3654), false, _e3665), false, _e3671), true, _e3679);
                 }
-                let _e3689 = phi_6926_;
-                let _e3691 = phi_6927_;
-                let _e3693 = phi_6928_;
-                let _e3696 = select(_e3691.member, _e3689.member, _e3693);
-                let _e3699 = select(_e3691.member_1, _e3689.member_1, _e3693);
-                let _e3705 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e3699 > _e353)), (_e3696 == 1u))));
-                switch bitcast<i32>(_e3696) {
+                let _e3690 = phi_6927_;
+                let _e3692 = phi_6928_;
+                let _e3694 = phi_6929_;
+                let _e3697 = select(_e3692.member, _e3690.member, _e3694);
+                let _e3700 = select(_e3692.member_1, _e3690.member_1, _e3694);
+                let _e3706 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e3700 > _e354)), (_e3697 == 1u))));
+                switch bitcast<i32>(_e3697) {
                     case 0: {
-                        phi_6972_ = type_31(0u, _e3705, array<u32, 2>(0u, 0u), false);
+                        phi_6973_ = type_31(0u, _e3706, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e3709 = function_3(_e3699);
-                        phi_6972_ = type_31(0u, _e3705, _e3709, true);
+                        let _e3710 = function_3(_e3700);
+                        phi_6973_ = type_31(0u, _e3706, _e3710, true);
                         break;
                     }
                     case 2: {
-                        let _e3707 = function_3(_e3699);
-                        phi_6972_ = type_31(1u, _e3705, _e3707, true);
+                        let _e3708 = function_3(_e3700);
+                        phi_6973_ = type_31(1u, _e3706, _e3708, true);
                         break;
                     }
                     default: {
-                        phi_6972_ = type_31();
+                        phi_6973_ = type_31();
                         break;
                     }
                 }
-                let _e3713 = phi_6972_;
-                let _e3717 = params.member.member.member_12;
-                let _e3718 = bitcast<u32>(_e3717);
-                if (_e3713.member_2[0] == select((_e3718 << bitcast<u32>(29i)), 0u, ((_e3718 & 2147483647u) < 8388608u))) {
-                    let _e3728 = params.member.member.member_12;
-                    let _e3729 = bitcast<u32>(_e3728);
-                    let _e3730 = (_e3729 & 2147483647u);
-                    phi_7012_ = (_e3713.member_2[1] == select(((_e3729 ^ _e3730) | ((_e3730 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e3730 < 8388608u)));
+                let _e3714 = phi_6973_;
+                let _e3718 = params.member.member.member_12;
+                let _e3719 = bitcast<u32>(_e3718);
+                if (_e3714.member_2[0] == select((_e3719 << bitcast<u32>(29i)), 0u, ((_e3719 & 2147483647u) < 8388608u))) {
+                    let _e3729 = params.member.member.member_12;
+                    let _e3730 = bitcast<u32>(_e3729);
+                    let _e3731 = (_e3730 & 2147483647u);
+                    phi_7013_ = (_e3714.member_2[1] == select(((_e3730 ^ _e3731) | ((_e3731 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e3731 < 8388608u)));
                 } else {
-                    phi_7012_ = false;
+                    phi_7013_ = false;
                 }
-                let _e3740 = phi_7012_;
-                let _e3742 = params.member.member.member_1;
-                if ((_e3742 & 128u) != 0u) {
-                    phi_7028_ = true;
+                let _e3741 = phi_7013_;
+                let _e3743 = params.member.member.member_1;
+                if ((_e3743 & 128u) != 0u) {
+                    phi_7029_ = true;
                 } else {
-                    let _e3746 = params.member.member.member_1;
-                    phi_7028_ = select(false, _e3740, ((_e3746 & 64u) != 0u));
+                    let _e3747 = params.member.member.member_1;
+                    phi_7029_ = select(false, _e3741, ((_e3747 & 64u) != 0u));
                 }
-                let _e3751 = phi_7028_;
-                local_8 = type_31(select(1u, _e3713.member, select(true, select(true, false, _e3751), _e3713.member_3)), _e3713.member_1, array<u32, 2>(_e3713.member_2[0], _e3713.member_2[1]), _e3713.member_3);
-                phi_7055_ = type_9(_e182, _e185);
+                let _e3752 = phi_7029_;
+                local_8 = type_31(select(1u, _e3714.member, select(true, select(true, false, _e3752), _e3714.member_3)), _e3714.member_1, array<u32, 2>(_e3714.member_2[0], _e3714.member_2[1]), _e3714.member_3);
+                phi_7056_ = type_9(_e183, _e186);
             } else {
-                phi_7055_ = type_9(0u, 0u);
+                phi_7056_ = type_9(0u, 0u);
             }
-            let _e3765 = phi_7055_;
-            let _e3771 = local_8.member;
-            let _e3773 = select(true, false, (_e3771 == 0u));
-            let _e3775 = local_8.member_3;
-            if _e3775 {
-                if _e3773 {
-                    phi_7084_ = true;
+            let _e3766 = phi_7056_;
+            let _e3772 = local_8.member;
+            let _e3774 = select(true, false, (_e3772 == 0u));
+            let _e3776 = local_8.member_3;
+            if _e3776 {
+                if _e3774 {
+                    phi_7085_ = true;
                 } else {
-                    let _e3777 = params.member.member.member_1;
-                    phi_7084_ = ((_e3777 & 16u) != 0u);
+                    let _e3778 = params.member.member.member_1;
+                    phi_7085_ = ((_e3778 & 16u) != 0u);
                 }
-                let _e3781 = phi_7084_;
-                phi_7085_ = _e3781;
+                let _e3782 = phi_7085_;
+                phi_7086_ = _e3782;
             } else {
-                phi_7085_ = false;
+                phi_7086_ = false;
             }
-            let _e3783 = phi_7085_;
-            let _e3785 = local_8.member_3;
-            if _e3785 {
-                if _e3773 {
+            let _e3784 = phi_7086_;
+            let _e3786 = local_8.member_3;
+            if _e3786 {
+                if _e3774 {
                 } else {
-                    let _e3787 = local_8.member_2;
-                    let _e3791 = (_e3787[1] >> bitcast<u32>(20i));
-                    let _e3805 = atomicMin((&earliest.member[0u]), select(((((_e3791 - 896u) << bitcast<u32>(23i)) | ((_e3787[1] & 1048575u) << bitcast<u32>(3i))) | (_e3787[0] >> bitcast<u32>(29i))), 0u, (_e3791 <= 896u)));
+                    let _e3788 = local_8.member_2;
+                    let _e3793 = ((_e3788[1] >> bitcast<u32>(20i)) & 2047u);
+                    let _e3807 = atomicMin((&earliest.member[0u]), select(((((_e3793 - 896u) << bitcast<u32>(23i)) | ((_e3788[1] & 1048575u) << bitcast<u32>(3i))) | (_e3788[0] >> bitcast<u32>(29i))), 0u, (_e3793 <= 896u)));
                 }
             }
-            if (_e101 == 0u) {
+            if (_e102 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e3783 {
-                let _e3809 = atomicAdd((&counters[0u]), 1u);
-                phi_7128_ = _e3809;
+            if _e3784 {
+                let _e3811 = atomicAdd((&counters[0u]), 1u);
+                phi_7130_ = _e3811;
             } else {
-                phi_7128_ = 0u;
+                phi_7130_ = 0u;
             }
-            let _e3811 = phi_7128_;
+            let _e3813 = phi_7130_;
             workgroupBarrier();
-            if (_e101 == 0u) {
-                let _e3814 = atomicLoad((&counters[0u]));
-                if (_e3814 > 0u) {
-                    let _e3817 = atomicAdd((&contacts.member[0u]), _e3814);
-                    atomicStore((&counters[1u]), _e3817);
+            if (_e102 == 0u) {
+                let _e3816 = atomicLoad((&counters[0u]));
+                if (_e3816 > 0u) {
+                    let _e3819 = atomicAdd((&contacts.member[0u]), _e3816);
+                    atomicStore((&counters[1u]), _e3819);
                 }
             }
             workgroupBarrier();
-            let _e3820 = atomicLoad((&counters[1u]));
-            let _e3821 = (_e3820 + _e3811);
-            if _e3783 {
-                let _e3823 = params.member.member_1.member_3;
-                if (_e3821 < _e3823) {
-                    let _e3829 = (7u * _e3821);
-                    atomicStore((&contacts.member[(4u + _e3829)]), select(1u, 0u, ((_e3765.member_1 & 2147483648u) == 0u)));
-                    let _e3834 = local_8.member;
-                    atomicStore((&contacts.member[(_e3829 + 5u)]), _e3834);
-                    atomicStore((&contacts.member[(_e3829 + 6u)]), _e3765.member);
-                    atomicStore((&contacts.member[(_e3829 + 7u)]), (_e3765.member_1 & 2147483647u));
-                    let _e3843 = local_8.member_2[0u];
-                    atomicStore((&contacts.member[(_e3829 + 8u)]), _e3843);
-                    let _e3848 = local_8.member_2[1u];
-                    atomicStore((&contacts.member[(_e3829 + 9u)]), _e3848);
-                    let _e3852 = local_8.member_1;
-                    atomicStore((&contacts.member[(_e3829 + 10u)]), _e3852);
+            let _e3822 = atomicLoad((&counters[1u]));
+            let _e3823 = (_e3822 + _e3813);
+            if _e3784 {
+                let _e3825 = params.member.member_1.member_3;
+                if (_e3823 < _e3825) {
+                    let _e3831 = (7u * _e3823);
+                    atomicStore((&contacts.member[(4u + _e3831)]), select(1u, 0u, ((_e3766.member_1 & 2147483648u) == 0u)));
+                    let _e3836 = local_8.member;
+                    atomicStore((&contacts.member[(_e3831 + 5u)]), _e3836);
+                    atomicStore((&contacts.member[(_e3831 + 6u)]), _e3766.member);
+                    atomicStore((&contacts.member[(_e3831 + 7u)]), (_e3766.member_1 & 2147483647u));
+                    let _e3845 = local_8.member_2[0u];
+                    atomicStore((&contacts.member[(_e3831 + 8u)]), _e3845);
+                    let _e3850 = local_8.member_2[1u];
+                    atomicStore((&contacts.member[(_e3831 + 9u)]), _e3850);
+                    let _e3854 = local_8.member_1;
+                    atomicStore((&contacts.member[(_e3831 + 10u)]), _e3854);
                 }
             }
         }
         continue;
         continuing {
-            phi_833_ = type_9(select(_e153.member, (_e153.member + 1u), _e156), select(_e153.member_1, _e153.member_1, _e156));
-            break if !(_e169);
+            phi_834_ = type_9(select(_e154.member, (_e154.member + 1u), _e157), select(_e154.member_1, _e154.member_1, _e157));
+            break if !(_e170);
         }
     }
     return;

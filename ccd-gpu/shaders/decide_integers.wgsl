@@ -202,52 +202,52 @@ fn function_7(param_16: u32, param_17: u32, param_18: u32, param_19: u32) -> typ
 }
 
 fn function_8(param_20: array<u32, 2>, param_21: i32) -> type_9 {
-    var phi_6066_: type_9;
     var phi_6067_: type_9;
     var phi_6068_: type_9;
     var phi_6069_: type_9;
     var phi_6070_: type_9;
-    var phi_6071_: bool;
+    var phi_6071_: type_9;
+    var phi_6072_: bool;
 
     let _e24 = ((param_20[1] >> bitcast<u32>(20i)) & 2047u);
     let _e28 = ((param_20[1] & 1048575u) | select(1048576u, 0u, (_e24 == 0u)));
     let _e33 = ((bitcast<i32>(select(1u, _e24, (1u < _e24))) - 1015i) - param_21);
     let _e35 = (bitcast<u32>(_e33) % 32u);
     if (_e33 >= 64i) {
-        phi_6070_ = type_9();
-        phi_6071_ = true;
+        phi_6071_ = type_9();
+        phi_6072_ = true;
     } else {
         let _e37 = (_e33 <= -53i);
         if _e37 {
-            phi_6069_ = type_9();
+            phi_6070_ = type_9();
         } else {
             if (_e33 >= 32i) {
-                phi_6068_ = type_9((param_20[0] << bitcast<u32>((_e35 & 31u))), 0u);
+                phi_6069_ = type_9((param_20[0] << bitcast<u32>((_e35 & 31u))), 0u);
             } else {
                 if (_e33 >= 0i) {
-                    phi_6067_ = type_9(((_e28 << bitcast<u32>((_e35 & 31u))) | ((param_20[0] >> bitcast<u32>(1i)) >> bitcast<u32>(((31u - _e35) & 31u)))), (param_20[0] << bitcast<u32>((_e35 & 31u))));
+                    phi_6068_ = type_9(((_e28 << bitcast<u32>((_e35 & 31u))) | ((param_20[0] >> bitcast<u32>(1i)) >> bitcast<u32>(((31u - _e35) & 31u)))), (param_20[0] << bitcast<u32>((_e35 & 31u))));
                 } else {
                     if (_e33 > -32i) {
                         let _e49 = bitcast<u32>(-(_e33));
-                        phi_6066_ = type_9(bitcast<u32>((bitcast<i32>(_e28) >> bitcast<u32>((_e49 & 31u)))), ((param_20[0] >> bitcast<u32>((_e49 & 31u))) | ((_e28 << bitcast<u32>(((31u - _e49) & 31u))) << bitcast<u32>(1i))));
+                        phi_6067_ = type_9(bitcast<u32>((bitcast<i32>(_e28) >> bitcast<u32>((_e49 & 31u)))), ((param_20[0] >> bitcast<u32>((_e49 & 31u))) | ((_e28 << bitcast<u32>(((31u - _e49) & 31u))) << bitcast<u32>(1i))));
                     } else {
-                        phi_6066_ = type_9(0u, (_e28 >> bitcast<u32>(((bitcast<u32>(-(_e33)) - 32u) & 31u))));
+                        phi_6067_ = type_9(0u, (_e28 >> bitcast<u32>(((bitcast<u32>(-(_e33)) - 32u) & 31u))));
                     }
-                    let _e67 = phi_6066_;
-                    phi_6067_ = _e67;
+                    let _e67 = phi_6067_;
+                    phi_6068_ = _e67;
                 }
-                let _e83 = phi_6067_;
-                phi_6068_ = _e83;
+                let _e83 = phi_6068_;
+                phi_6069_ = _e83;
             }
-            let _e89 = phi_6068_;
-            phi_6069_ = _e89;
+            let _e89 = phi_6069_;
+            phi_6070_ = _e89;
         }
-        let _e91 = phi_6069_;
-        phi_6070_ = _e91;
-        phi_6071_ = _e37;
+        let _e91 = phi_6070_;
+        phi_6071_ = _e91;
+        phi_6072_ = _e37;
     }
-    let _e93 = phi_6070_;
-    let _e95 = phi_6071_;
+    let _e93 = phi_6071_;
+    let _e95 = phi_6072_;
     let _e97 = select(_e93.member, 0u, _e95);
     let _e99 = select(_e93.member_1, 0u, _e95);
     let _e102 = ((param_20[1] >> bitcast<u32>(31i)) != 0u);
@@ -635,8 +635,8 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5775_: bool;
     var phi_5831_: bool;
     var phi_5832_: bool;
-    var phi_5875_: u32;
-    var phi_5957_: u32;
+    var phi_5876_: u32;
+    var phi_5958_: u32;
     var local_108: bool;
     var local_109: bool;
     var local_110: bool;
@@ -659,377 +659,377 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e99 = id_2;
-    let _e100 = n_2;
-    let _e101 = lane_2;
-    let _e114 = ((_e99.y * _e100.x) + _e99.x);
-    let _e117 = (_e100.x * _e100.y);
-    let _e120 = params.member.member_1.member_2;
-    let _e122 = input.member[0u];
-    let _e124 = select(_e122, _e120, (_e120 < _e122));
-    let _e126 = params.member.member_1.member_1;
-    if (_e124 > _e126) {
-        let _e129 = params.member.member_1.member_1;
-        phi_262_ = (_e124 - _e129);
+    let _e100 = id_2;
+    let _e101 = n_2;
+    let _e102 = lane_2;
+    let _e115 = ((_e100.y * _e101.x) + _e100.x);
+    let _e118 = (_e101.x * _e101.y);
+    let _e121 = params.member.member_1.member_2;
+    let _e123 = input.member[0u];
+    let _e125 = select(_e123, _e121, (_e121 < _e123));
+    let _e127 = params.member.member_1.member_1;
+    if (_e125 > _e127) {
+        let _e130 = params.member.member_1.member_1;
+        phi_262_ = (_e125 - _e130);
     } else {
         phi_262_ = 0u;
     }
-    let _e132 = phi_262_;
-    let _e134 = params.member.member_1.member;
-    let _e136 = select(_e132, _e134, (_e134 < _e132));
-    let _e138 = (_e136 / 64u);
-    let _e142 = select(_e138, (_e138 + 1u), ((_e136 % 64u) > 0u));
-    if (_e142 > _e114) {
-        let _e144 = (_e142 - _e114);
-        if (_e117 == 0u) {
+    let _e133 = phi_262_;
+    let _e135 = params.member.member_1.member;
+    let _e137 = select(_e133, _e135, (_e135 < _e133));
+    let _e139 = (_e137 / 64u);
+    let _e143 = select(_e139, (_e139 + 1u), ((_e137 % 64u) > 0u));
+    if (_e143 > _e115) {
+        let _e145 = (_e143 - _e115);
+        if (_e118 == 0u) {
             return;
         }
-        let _e146 = (_e144 / _e117);
-        if (_e117 == 0u) {
+        let _e147 = (_e145 / _e118);
+        if (_e118 == 0u) {
             return;
         }
-        phi_308_ = select(_e146, (_e146 + 1u), ((_e144 % _e117) > 0u));
+        phi_308_ = select(_e147, (_e147 + 1u), ((_e145 % _e118) > 0u));
     } else {
         phi_308_ = 0u;
     }
-    let _e153 = phi_308_;
-    phi_311_ = type_9(0u, _e153);
+    let _e154 = phi_308_;
+    phi_311_ = type_9(0u, _e154);
     loop {
-        let _e156 = phi_311_;
-        let _e159 = (_e156.member < _e156.member_1);
-        let _e172 = (bitcast<i32>(select(0u, 1u, _e159)) != 0i);
-        if _e172 {
-            let _e176 = (((_e114 + (select(type_9().member_1, _e156.member, _e159) * _e117)) * 64u) + _e101);
-            if (_e176 < _e136) {
-                let _e181 = params.member.member_1.member_1;
-                let _e183 = (2u * (_e181 + _e176));
-                let _e186 = input.member[(4u + _e183)];
-                let _e189 = input.member[(_e183 + 5u)];
-                let _e194 = (_e189 & 2147483647u);
-                if (select(1u, 0u, ((_e189 & 2147483648u) == 0u)) == 0u) {
-                    let _e213 = params.member.member.member[1u];
-                    let _e216 = ((2u * _e213) + (3u * _e194));
-                    let _e218 = elements.member[_e216];
-                    let _e221 = elements.member[(_e216 + 1u)];
-                    let _e224 = elements.member[(_e216 + 2u)];
-                    phi_486_ = type_20(0u, array<u32, 4>(_e186, _e218, _e221, _e224));
+        let _e157 = phi_311_;
+        let _e160 = (_e157.member < _e157.member_1);
+        let _e173 = (bitcast<i32>(select(0u, 1u, _e160)) != 0i);
+        if _e173 {
+            let _e177 = (((_e115 + (select(type_9().member_1, _e157.member, _e160) * _e118)) * 64u) + _e102);
+            if (_e177 < _e137) {
+                let _e182 = params.member.member_1.member_1;
+                let _e184 = (2u * (_e182 + _e177));
+                let _e187 = input.member[(4u + _e184)];
+                let _e190 = input.member[(_e184 + 5u)];
+                let _e195 = (_e190 & 2147483647u);
+                if (select(1u, 0u, ((_e190 & 2147483648u) == 0u)) == 0u) {
+                    let _e214 = params.member.member.member[1u];
+                    let _e217 = ((2u * _e214) + (3u * _e195));
+                    let _e219 = elements.member[_e217];
+                    let _e222 = elements.member[(_e217 + 1u)];
+                    let _e225 = elements.member[(_e217 + 2u)];
+                    phi_486_ = type_20(0u, array<u32, 4>(_e187, _e219, _e222, _e225));
                 } else {
-                    let _e197 = (2u * _e186);
-                    let _e199 = elements.member[_e197];
-                    let _e202 = elements.member[(_e197 + 1u)];
-                    let _e203 = (2u * _e194);
-                    let _e205 = elements.member[_e203];
-                    let _e208 = elements.member[(_e203 + 1u)];
-                    phi_486_ = type_20(1u, array<u32, 4>(_e199, _e202, _e205, _e208));
+                    let _e198 = (2u * _e187);
+                    let _e200 = elements.member[_e198];
+                    let _e203 = elements.member[(_e198 + 1u)];
+                    let _e204 = (2u * _e195);
+                    let _e206 = elements.member[_e204];
+                    let _e209 = elements.member[(_e204 + 1u)];
+                    phi_486_ = type_20(1u, array<u32, 4>(_e200, _e203, _e206, _e209));
                 }
-                let _e228 = phi_486_;
-                let _e233 = paths.member[_e228.member_1[0]];
-                let _e248 = paths.member[_e228.member_1[1]];
-                let _e263 = paths.member[_e228.member_1[2]];
-                let _e278 = paths.member[_e228.member_1[3]];
-                let _e292 = params.member.member.member_4;
-                if (_e228.member != 0u) {
-                    phi_621_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e263.member.x - _e233.member.x), (_e263.member.y - _e233.member.y), (_e263.member.z - _e233.member.z)), array<f32, 3>((_e263.member_1.x - _e233.member_1.x), (_e263.member_1.y - _e233.member_1.y), (_e263.member_1.z - _e233.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e248.member.x - _e233.member.x), (_e248.member.y - _e233.member.y), (_e248.member.z - _e233.member.z)), array<f32, 3>((_e248.member_1.x - _e233.member_1.x), (_e248.member_1.y - _e233.member_1.y), (_e248.member_1.z - _e233.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e263.member.x - _e278.member.x), (_e263.member.y - _e278.member.y), (_e263.member.z - _e278.member.z)), array<f32, 3>((_e263.member_1.x - _e278.member_1.x), (_e263.member_1.y - _e278.member_1.y), (_e263.member_1.z - _e278.member_1.z))), (_e292 + _e292));
+                let _e229 = phi_486_;
+                let _e234 = paths.member[_e229.member_1[0]];
+                let _e249 = paths.member[_e229.member_1[1]];
+                let _e264 = paths.member[_e229.member_1[2]];
+                let _e279 = paths.member[_e229.member_1[3]];
+                let _e293 = params.member.member.member_4;
+                if (_e229.member != 0u) {
+                    phi_621_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e264.member.x - _e234.member.x), (_e264.member.y - _e234.member.y), (_e264.member.z - _e234.member.z)), array<f32, 3>((_e264.member_1.x - _e234.member_1.x), (_e264.member_1.y - _e234.member_1.y), (_e264.member_1.z - _e234.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e249.member.x - _e234.member.x), (_e249.member.y - _e234.member.y), (_e249.member.z - _e234.member.z)), array<f32, 3>((_e249.member_1.x - _e234.member_1.x), (_e249.member_1.y - _e234.member_1.y), (_e249.member_1.z - _e234.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e264.member.x - _e279.member.x), (_e264.member.y - _e279.member.y), (_e264.member.z - _e279.member.z)), array<f32, 3>((_e264.member_1.x - _e279.member_1.x), (_e264.member_1.y - _e279.member_1.y), (_e264.member_1.z - _e279.member_1.z))), (_e293 + _e293));
                 } else {
-                    phi_621_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e233.member.x - _e248.member.x), (_e233.member.y - _e248.member.y), (_e233.member.z - _e248.member.z)), array<f32, 3>((_e233.member_1.x - _e248.member_1.x), (_e233.member_1.y - _e248.member_1.y), (_e233.member_1.z - _e248.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e263.member.x - _e248.member.x), (_e263.member.y - _e248.member.y), (_e263.member.z - _e248.member.z)), array<f32, 3>((_e263.member_1.x - _e248.member_1.x), (_e263.member_1.y - _e248.member_1.y), (_e263.member_1.z - _e248.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e278.member.x - _e248.member.x), (_e278.member.y - _e248.member.y), (_e278.member.z - _e248.member.z)), array<f32, 3>((_e278.member_1.x - _e248.member_1.x), (_e278.member_1.y - _e248.member_1.y), (_e278.member_1.z - _e248.member_1.z))), (_e292 + _e292));
+                    phi_621_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e234.member.x - _e249.member.x), (_e234.member.y - _e249.member.y), (_e234.member.z - _e249.member.z)), array<f32, 3>((_e234.member_1.x - _e249.member_1.x), (_e234.member_1.y - _e249.member_1.y), (_e234.member_1.z - _e249.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e264.member.x - _e249.member.x), (_e264.member.y - _e249.member.y), (_e264.member.z - _e249.member.z)), array<f32, 3>((_e264.member_1.x - _e249.member_1.x), (_e264.member_1.y - _e249.member_1.y), (_e264.member_1.z - _e249.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e279.member.x - _e249.member.x), (_e279.member.y - _e249.member.y), (_e279.member.z - _e249.member.z)), array<f32, 3>((_e279.member_1.x - _e249.member_1.x), (_e279.member_1.y - _e249.member_1.y), (_e279.member_1.z - _e249.member_1.z))), (_e293 + _e293));
                 }
-                let _e353 = phi_621_;
-                let _e359 = select(_e353.member[0][0], -(_e353.member[0][0]), (_e353.member[0][0] < 0f));
-                let _e363 = select(_e353.member[0][1], -(_e353.member[0][1]), (_e353.member[0][1] < 0f));
-                let _e365 = select(_e363, _e359, (_e359 > _e363));
-                let _e369 = select(_e353.member[0][2], -(_e353.member[0][2]), (_e353.member[0][2] < 0f));
-                let _e371 = select(_e369, _e365, (_e365 > _e369));
-                let _e377 = select(_e353.member[1][0], -(_e353.member[1][0]), (_e353.member[1][0] < 0f));
-                let _e381 = select(_e353.member[1][1], -(_e353.member[1][1]), (_e353.member[1][1] < 0f));
-                let _e383 = select(_e381, _e377, (_e377 > _e381));
-                let _e387 = select(_e353.member[1][2], -(_e353.member[1][2]), (_e353.member[1][2] < 0f));
-                let _e389 = select(_e387, _e383, (_e383 > _e387));
-                let _e399 = select(_e353.member_1[0][0], -(_e353.member_1[0][0]), (_e353.member_1[0][0] < 0f));
-                let _e403 = select(_e353.member_1[0][1], -(_e353.member_1[0][1]), (_e353.member_1[0][1] < 0f));
-                let _e405 = select(_e403, _e399, (_e399 > _e403));
-                let _e409 = select(_e353.member_1[0][2], -(_e353.member_1[0][2]), (_e353.member_1[0][2] < 0f));
-                let _e411 = select(_e409, _e405, (_e405 > _e409));
-                let _e417 = select(_e353.member_1[1][0], -(_e353.member_1[1][0]), (_e353.member_1[1][0] < 0f));
-                let _e421 = select(_e353.member_1[1][1], -(_e353.member_1[1][1]), (_e353.member_1[1][1] < 0f));
-                let _e423 = select(_e421, _e417, (_e417 > _e421));
-                let _e427 = select(_e353.member_1[1][2], -(_e353.member_1[1][2]), (_e353.member_1[1][2] < 0f));
-                let _e429 = select(_e427, _e423, (_e423 > _e427));
-                let _e439 = select(_e353.member_2[0][0], -(_e353.member_2[0][0]), (_e353.member_2[0][0] < 0f));
-                let _e443 = select(_e353.member_2[0][1], -(_e353.member_2[0][1]), (_e353.member_2[0][1] < 0f));
-                let _e445 = select(_e443, _e439, (_e439 > _e443));
-                let _e449 = select(_e353.member_2[0][2], -(_e353.member_2[0][2]), (_e353.member_2[0][2] < 0f));
-                let _e451 = select(_e449, _e445, (_e445 > _e449));
-                let _e457 = select(_e353.member_2[1][0], -(_e353.member_2[1][0]), (_e353.member_2[1][0] < 0f));
-                let _e461 = select(_e353.member_2[1][1], -(_e353.member_2[1][1]), (_e353.member_2[1][1] < 0f));
-                let _e463 = select(_e461, _e457, (_e457 > _e461));
-                let _e467 = select(_e353.member_2[1][2], -(_e353.member_2[1][2]), (_e353.member_2[1][2] < 0f));
-                let _e469 = select(_e467, _e463, (_e463 > _e467));
-                let _e474 = function_((select(_e389, _e371, (_e371 > _e389)) + _e353.member_3), (select(_e429, _e411, (_e411 > _e429)) + _e353.member_3));
-                let _e475 = function_(_e474, (select(_e469, _e451, (_e451 > _e469)) + _e353.member_3));
-                let _e480 = bitcast<i32>(((bitcast<u32>(_e475) + 4u) >> bitcast<u32>(23i)));
-                let _e481 = (_e480 >= 64i);
-                let _e482 = (_e480 <= 190i);
-                let _e488 = select(select(i32(), select(i32(), (_e480 - 126i), _e482), _e481), 2147483647i, select(true, select(true, false, _e482), _e481));
-                if (_e488 == 2147483647i) {
+                let _e354 = phi_621_;
+                let _e360 = select(_e354.member[0][0], -(_e354.member[0][0]), (_e354.member[0][0] < 0f));
+                let _e364 = select(_e354.member[0][1], -(_e354.member[0][1]), (_e354.member[0][1] < 0f));
+                let _e366 = select(_e364, _e360, (_e360 > _e364));
+                let _e370 = select(_e354.member[0][2], -(_e354.member[0][2]), (_e354.member[0][2] < 0f));
+                let _e372 = select(_e370, _e366, (_e366 > _e370));
+                let _e378 = select(_e354.member[1][0], -(_e354.member[1][0]), (_e354.member[1][0] < 0f));
+                let _e382 = select(_e354.member[1][1], -(_e354.member[1][1]), (_e354.member[1][1] < 0f));
+                let _e384 = select(_e382, _e378, (_e378 > _e382));
+                let _e388 = select(_e354.member[1][2], -(_e354.member[1][2]), (_e354.member[1][2] < 0f));
+                let _e390 = select(_e388, _e384, (_e384 > _e388));
+                let _e400 = select(_e354.member_1[0][0], -(_e354.member_1[0][0]), (_e354.member_1[0][0] < 0f));
+                let _e404 = select(_e354.member_1[0][1], -(_e354.member_1[0][1]), (_e354.member_1[0][1] < 0f));
+                let _e406 = select(_e404, _e400, (_e400 > _e404));
+                let _e410 = select(_e354.member_1[0][2], -(_e354.member_1[0][2]), (_e354.member_1[0][2] < 0f));
+                let _e412 = select(_e410, _e406, (_e406 > _e410));
+                let _e418 = select(_e354.member_1[1][0], -(_e354.member_1[1][0]), (_e354.member_1[1][0] < 0f));
+                let _e422 = select(_e354.member_1[1][1], -(_e354.member_1[1][1]), (_e354.member_1[1][1] < 0f));
+                let _e424 = select(_e422, _e418, (_e418 > _e422));
+                let _e428 = select(_e354.member_1[1][2], -(_e354.member_1[1][2]), (_e354.member_1[1][2] < 0f));
+                let _e430 = select(_e428, _e424, (_e424 > _e428));
+                let _e440 = select(_e354.member_2[0][0], -(_e354.member_2[0][0]), (_e354.member_2[0][0] < 0f));
+                let _e444 = select(_e354.member_2[0][1], -(_e354.member_2[0][1]), (_e354.member_2[0][1] < 0f));
+                let _e446 = select(_e444, _e440, (_e440 > _e444));
+                let _e450 = select(_e354.member_2[0][2], -(_e354.member_2[0][2]), (_e354.member_2[0][2] < 0f));
+                let _e452 = select(_e450, _e446, (_e446 > _e450));
+                let _e458 = select(_e354.member_2[1][0], -(_e354.member_2[1][0]), (_e354.member_2[1][0] < 0f));
+                let _e462 = select(_e354.member_2[1][1], -(_e354.member_2[1][1]), (_e354.member_2[1][1] < 0f));
+                let _e464 = select(_e462, _e458, (_e458 > _e462));
+                let _e468 = select(_e354.member_2[1][2], -(_e354.member_2[1][2]), (_e354.member_2[1][2] < 0f));
+                let _e470 = select(_e468, _e464, (_e464 > _e468));
+                let _e475 = function_((select(_e390, _e372, (_e372 > _e390)) + _e354.member_3), (select(_e430, _e412, (_e412 > _e430)) + _e354.member_3));
+                let _e476 = function_(_e475, (select(_e470, _e452, (_e452 > _e470)) + _e354.member_3));
+                let _e481 = bitcast<i32>(((bitcast<u32>(_e476) + 4u) >> bitcast<u32>(23i)));
+                let _e482 = (_e481 >= 64i);
+                let _e483 = (_e481 <= 190i);
+                let _e489 = select(select(i32(), select(i32(), (_e481 - 126i), _e483), _e482), 2147483647i, select(true, select(true, false, _e483), _e482));
+                if (_e489 == 2147483647i) {
                     phi_5680_ = type_9(2u, type_9().member_1);
                 } else {
-                    let _e491 = params.member.member.member_1;
-                    let _e493 = ((_e491 & 8u) != 0u);
-                    let _e496 = params.member.member.member_10[1u];
-                    let _e502 = select((_e488 - (bitcast<i32>((_e496 >> bitcast<u32>(20i))) - 1023i)), _e488, _e493);
+                    let _e492 = params.member.member.member_1;
+                    let _e494 = ((_e492 & 8u) != 0u);
+                    let _e497 = params.member.member.member_10[1u];
+                    let _e503 = select((_e489 - (bitcast<i32>((_e497 >> bitcast<u32>(20i))) - 1023i)), _e489, _e494);
                     phi_888_ = type_14(0i, 4i);
                     phi_891_ = array<array<array<type_9, 3>, 2>, 4>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u)), array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u)), array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u)), array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u)), array<type_9, 3>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u))));
-                    phi_893_ = _e228.member_1;
+                    phi_893_ = _e229.member_1;
                     loop {
-                        let _e504 = phi_888_;
-                        let _e506 = phi_891_;
-                        let _e508 = phi_893_;
-                        local_2 = _e506;
-                        local_3 = _e506;
-                        local_4 = _e506;
-                        local_5 = _e506;
-                        local_6 = _e506;
-                        local_7 = _e506;
-                        local_8 = _e506;
-                        local_9 = _e506;
-                        local_10 = _e506;
-                        local_11 = _e506;
-                        local_12 = _e506;
-                        local_13 = _e506;
-                        local_14 = _e506;
-                        local_15 = _e506;
-                        local_16 = _e506;
-                        local_17 = _e506;
-                        local_18 = _e506;
-                        local_19 = _e506;
-                        local_20 = _e506;
-                        local_21 = _e506;
-                        local_22 = _e506;
-                        local_23 = _e506;
-                        local_24 = _e506;
-                        local_25 = _e506;
-                        if (_e504.member < _e504.member_1) {
-                            let _e515 = (_e504.member + 1i);
-                            phi_889_ = type_14(select(_e515, type_15().member_1, select(false, true, ((false == (_e515 > _e504.member)) != false))), _e504.member_1);
-                            phi_934_ = type_15(1u, _e504.member);
+                        let _e505 = phi_888_;
+                        let _e507 = phi_891_;
+                        let _e509 = phi_893_;
+                        local_2 = _e507;
+                        local_3 = _e507;
+                        local_4 = _e507;
+                        local_5 = _e507;
+                        local_6 = _e507;
+                        local_7 = _e507;
+                        local_8 = _e507;
+                        local_9 = _e507;
+                        local_10 = _e507;
+                        local_11 = _e507;
+                        local_12 = _e507;
+                        local_13 = _e507;
+                        local_14 = _e507;
+                        local_15 = _e507;
+                        local_16 = _e507;
+                        local_17 = _e507;
+                        local_18 = _e507;
+                        local_19 = _e507;
+                        local_20 = _e507;
+                        local_21 = _e507;
+                        local_22 = _e507;
+                        local_23 = _e507;
+                        local_24 = _e507;
+                        local_25 = _e507;
+                        if (_e505.member < _e505.member_1) {
+                            let _e516 = (_e505.member + 1i);
+                            phi_889_ = type_14(select(_e516, type_15().member_1, select(false, true, ((false == (_e516 > _e505.member)) != false))), _e505.member_1);
+                            phi_934_ = type_15(1u, _e505.member);
                         } else {
-                            phi_889_ = _e504;
+                            phi_889_ = _e505;
                             phi_934_ = type_15(0u, type_15().member_1);
                         }
-                        let _e526 = phi_889_;
-                        let _e528 = phi_934_;
-                        let _e531 = (bitcast<i32>(_e528.member) != 0i);
-                        if _e531 {
-                            if _e493 {
-                                let _e582 = paths.member[_e508[0]];
-                                let _e595 = bitcast<u32>(_e582.member.x);
-                                let _e596 = (_e595 & 2147483647u);
-                                let _e597 = (_e596 < 8388608u);
-                                let _e608 = bitcast<u32>(_e582.member.y);
-                                let _e609 = (_e608 & 2147483647u);
-                                let _e610 = (_e609 < 8388608u);
-                                let _e621 = bitcast<u32>(_e582.member.z);
-                                let _e622 = (_e621 & 2147483647u);
-                                let _e623 = (_e622 < 8388608u);
-                                let _e635 = bitcast<u32>(_e582.member_1.x);
-                                let _e636 = (_e635 & 2147483647u);
-                                let _e637 = (_e636 < 8388608u);
-                                let _e648 = bitcast<u32>(_e582.member_1.y);
-                                let _e649 = (_e648 & 2147483647u);
-                                let _e650 = (_e649 < 8388608u);
-                                let _e661 = bitcast<u32>(_e582.member_1.z);
-                                let _e662 = (_e661 & 2147483647u);
-                                let _e663 = (_e662 < 8388608u);
-                                phi_1184_ = array<array<u32, 2>, 3>(array<u32, 2>(select((_e635 << bitcast<u32>(29i)), 0u, _e637), select(((_e635 ^ _e636) | ((_e636 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e637)), array<u32, 2>(select((_e648 << bitcast<u32>(29i)), 0u, _e650), select(((_e648 ^ _e649) | ((_e649 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e650)), array<u32, 2>(select((_e661 << bitcast<u32>(29i)), 0u, _e663), select(((_e661 ^ _e662) | ((_e662 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e663)));
-                                phi_1185_ = array<array<u32, 2>, 3>(array<u32, 2>(select((_e595 << bitcast<u32>(29i)), 0u, _e597), select(((_e595 ^ _e596) | ((_e596 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e597)), array<u32, 2>(select((_e608 << bitcast<u32>(29i)), 0u, _e610), select(((_e608 ^ _e609) | ((_e609 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e610)), array<u32, 2>(select((_e621 << bitcast<u32>(29i)), 0u, _e623), select(((_e621 ^ _e622) | ((_e622 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e623)));
+                        let _e527 = phi_889_;
+                        let _e529 = phi_934_;
+                        let _e532 = (bitcast<i32>(_e529.member) != 0i);
+                        if _e532 {
+                            if _e494 {
+                                let _e583 = paths.member[_e509[0]];
+                                let _e596 = bitcast<u32>(_e583.member.x);
+                                let _e597 = (_e596 & 2147483647u);
+                                let _e598 = (_e597 < 8388608u);
+                                let _e609 = bitcast<u32>(_e583.member.y);
+                                let _e610 = (_e609 & 2147483647u);
+                                let _e611 = (_e610 < 8388608u);
+                                let _e622 = bitcast<u32>(_e583.member.z);
+                                let _e623 = (_e622 & 2147483647u);
+                                let _e624 = (_e623 < 8388608u);
+                                let _e636 = bitcast<u32>(_e583.member_1.x);
+                                let _e637 = (_e636 & 2147483647u);
+                                let _e638 = (_e637 < 8388608u);
+                                let _e649 = bitcast<u32>(_e583.member_1.y);
+                                let _e650 = (_e649 & 2147483647u);
+                                let _e651 = (_e650 < 8388608u);
+                                let _e662 = bitcast<u32>(_e583.member_1.z);
+                                let _e663 = (_e662 & 2147483647u);
+                                let _e664 = (_e663 < 8388608u);
+                                phi_1184_ = array<array<u32, 2>, 3>(array<u32, 2>(select((_e636 << bitcast<u32>(29i)), 0u, _e638), select(((_e636 ^ _e637) | ((_e637 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e638)), array<u32, 2>(select((_e649 << bitcast<u32>(29i)), 0u, _e651), select(((_e649 ^ _e650) | ((_e650 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e651)), array<u32, 2>(select((_e662 << bitcast<u32>(29i)), 0u, _e664), select(((_e662 ^ _e663) | ((_e663 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e664)));
+                                phi_1185_ = array<array<u32, 2>, 3>(array<u32, 2>(select((_e596 << bitcast<u32>(29i)), 0u, _e598), select(((_e596 ^ _e597) | ((_e597 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e598)), array<u32, 2>(select((_e609 << bitcast<u32>(29i)), 0u, _e611), select(((_e609 ^ _e610) | ((_e610 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e611)), array<u32, 2>(select((_e622 << bitcast<u32>(29i)), 0u, _e624), select(((_e622 ^ _e623) | ((_e623 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e624)));
                             } else {
-                                let _e535 = params.member.member.member[0u];
-                                let _e537 = (6u * _e508[0]);
-                                let _e539 = positions.member[_e537];
-                                let _e542 = positions.member[(_e537 + 1u)];
-                                let _e546 = positions.member[(_e537 + 2u)];
-                                let _e549 = positions.member[(_e537 + 3u)];
-                                let _e553 = positions.member[(_e537 + 4u)];
-                                let _e556 = positions.member[(_e537 + 5u)];
-                                let _e559 = (6u * (_e535 + _e508[0]));
-                                let _e561 = positions.member[_e559];
-                                let _e564 = positions.member[(_e559 + 1u)];
-                                let _e568 = positions.member[(_e559 + 2u)];
-                                let _e571 = positions.member[(_e559 + 3u)];
-                                let _e575 = positions.member[(_e559 + 4u)];
-                                let _e578 = positions.member[(_e559 + 5u)];
-                                phi_1184_ = array<array<u32, 2>, 3>(array<u32, 2>(_e561, _e564), array<u32, 2>(_e568, _e571), array<u32, 2>(_e575, _e578));
-                                phi_1185_ = array<array<u32, 2>, 3>(array<u32, 2>(_e539, _e542), array<u32, 2>(_e546, _e549), array<u32, 2>(_e553, _e556));
+                                let _e536 = params.member.member.member[0u];
+                                let _e538 = (6u * _e509[0]);
+                                let _e540 = positions.member[_e538];
+                                let _e543 = positions.member[(_e538 + 1u)];
+                                let _e547 = positions.member[(_e538 + 2u)];
+                                let _e550 = positions.member[(_e538 + 3u)];
+                                let _e554 = positions.member[(_e538 + 4u)];
+                                let _e557 = positions.member[(_e538 + 5u)];
+                                let _e560 = (6u * (_e536 + _e509[0]));
+                                let _e562 = positions.member[_e560];
+                                let _e565 = positions.member[(_e560 + 1u)];
+                                let _e569 = positions.member[(_e560 + 2u)];
+                                let _e572 = positions.member[(_e560 + 3u)];
+                                let _e576 = positions.member[(_e560 + 4u)];
+                                let _e579 = positions.member[(_e560 + 5u)];
+                                phi_1184_ = array<array<u32, 2>, 3>(array<u32, 2>(_e562, _e565), array<u32, 2>(_e569, _e572), array<u32, 2>(_e576, _e579));
+                                phi_1185_ = array<array<u32, 2>, 3>(array<u32, 2>(_e540, _e543), array<u32, 2>(_e547, _e550), array<u32, 2>(_e554, _e557));
                             }
-                            let _e676 = phi_1184_;
-                            let _e678 = phi_1185_;
-                            let _e685 = function_8(_e678[0], _e502);
-                            let _e686 = function_8(_e678[1], _e502);
-                            let _e687 = function_8(_e678[2], _e502);
-                            let _e692 = function_8(_e676[0], _e502);
-                            let _e693 = function_8(_e676[1], _e502);
-                            let _e694 = function_8(_e676[2], _e502);
-                            phi_892_ = array<array<array<type_9, 3>, 2>, 4>(_e506[1], _e506[2], _e506[3], array<array<type_9, 3>, 2>(array<type_9, 3>(_e685, _e686, _e687), array<type_9, 3>(_e692, _e693, _e694)));
-                            phi_894_ = array<u32, 4>(_e508[1], _e508[2], _e508[3], _e508[0]);
+                            let _e677 = phi_1184_;
+                            let _e679 = phi_1185_;
+                            let _e686 = function_8(_e679[0], _e503);
+                            let _e687 = function_8(_e679[1], _e503);
+                            let _e688 = function_8(_e679[2], _e503);
+                            let _e693 = function_8(_e677[0], _e503);
+                            let _e694 = function_8(_e677[1], _e503);
+                            let _e695 = function_8(_e677[2], _e503);
+                            phi_892_ = array<array<array<type_9, 3>, 2>, 4>(_e507[1], _e507[2], _e507[3], array<array<type_9, 3>, 2>(array<type_9, 3>(_e686, _e687, _e688), array<type_9, 3>(_e693, _e694, _e695)));
+                            phi_894_ = array<u32, 4>(_e509[1], _e509[2], _e509[3], _e509[0]);
                         } else {
                             phi_892_ = array<array<array<type_9, 3>, 2>, 4>();
                             phi_894_ = array<u32, 4>();
                         }
-                        let _e704 = phi_892_;
-                        let _e706 = phi_894_;
+                        let _e705 = phi_892_;
+                        let _e707 = phi_894_;
                         continue;
                         continuing {
-                            phi_888_ = _e526;
-                            phi_891_ = _e704;
-                            phi_893_ = _e706;
-                            break if !(_e531);
+                            phi_888_ = _e527;
+                            phi_891_ = _e705;
+                            phi_893_ = _e707;
+                            break if !(_e532);
                         }
                     }
-                    let _e709 = params.member.member_2.member_1;
-                    let _e711 = params.member.member_2.member_2;
-                    let _e713 = params.member.member_2.member_3;
-                    if (_e228.member != 0u) {
-                        let _e1026 = local_14;
-                        let _e1030 = local_15;
-                        let _e1077 = local_16;
-                        let _e1081 = local_17;
-                        let _e1129 = local_18;
-                        let _e1133 = local_19;
-                        let _e1180 = local_20;
-                        let _e1184 = local_21;
-                        let _e1232 = local_22;
-                        let _e1236 = local_23;
-                        let _e1283 = local_24;
-                        let _e1287 = local_25;
-                        phi_1778_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1026[2][0][0].member - _e1030[0][0][0].member) - select(0u, 1u, (_e1026[2][0][0].member_1 < _e1030[0][0][0].member_1))), (_e1026[2][0][0].member_1 - _e1030[0][0][0].member_1)), type_9(((_e1026[2][0][1].member - _e1030[0][0][1].member) - select(0u, 1u, (_e1026[2][0][1].member_1 < _e1030[0][0][1].member_1))), (_e1026[2][0][1].member_1 - _e1030[0][0][1].member_1)), type_9(((_e1026[2][0][2].member - _e1030[0][0][2].member) - select(0u, 1u, (_e1026[2][0][2].member_1 < _e1030[0][0][2].member_1))), (_e1026[2][0][2].member_1 - _e1030[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1077[2][1][0].member - _e1081[0][1][0].member) - select(0u, 1u, (_e1077[2][1][0].member_1 < _e1081[0][1][0].member_1))), (_e1077[2][1][0].member_1 - _e1081[0][1][0].member_1)), type_9(((_e1077[2][1][1].member - _e1081[0][1][1].member) - select(0u, 1u, (_e1077[2][1][1].member_1 < _e1081[0][1][1].member_1))), (_e1077[2][1][1].member_1 - _e1081[0][1][1].member_1)), type_9(((_e1077[2][1][2].member - _e1081[0][1][2].member) - select(0u, 1u, (_e1077[2][1][2].member_1 < _e1081[0][1][2].member_1))), (_e1077[2][1][2].member_1 - _e1081[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1129[1][0][0].member - _e1133[0][0][0].member) - select(0u, 1u, (_e1129[1][0][0].member_1 < _e1133[0][0][0].member_1))), (_e1129[1][0][0].member_1 - _e1133[0][0][0].member_1)), type_9(((_e1129[1][0][1].member - _e1133[0][0][1].member) - select(0u, 1u, (_e1129[1][0][1].member_1 < _e1133[0][0][1].member_1))), (_e1129[1][0][1].member_1 - _e1133[0][0][1].member_1)), type_9(((_e1129[1][0][2].member - _e1133[0][0][2].member) - select(0u, 1u, (_e1129[1][0][2].member_1 < _e1133[0][0][2].member_1))), (_e1129[1][0][2].member_1 - _e1133[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1180[1][1][0].member - _e1184[0][1][0].member) - select(0u, 1u, (_e1180[1][1][0].member_1 < _e1184[0][1][0].member_1))), (_e1180[1][1][0].member_1 - _e1184[0][1][0].member_1)), type_9(((_e1180[1][1][1].member - _e1184[0][1][1].member) - select(0u, 1u, (_e1180[1][1][1].member_1 < _e1184[0][1][1].member_1))), (_e1180[1][1][1].member_1 - _e1184[0][1][1].member_1)), type_9(((_e1180[1][1][2].member - _e1184[0][1][2].member) - select(0u, 1u, (_e1180[1][1][2].member_1 < _e1184[0][1][2].member_1))), (_e1180[1][1][2].member_1 - _e1184[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1232[2][0][0].member - _e1236[3][0][0].member) - select(0u, 1u, (_e1232[2][0][0].member_1 < _e1236[3][0][0].member_1))), (_e1232[2][0][0].member_1 - _e1236[3][0][0].member_1)), type_9(((_e1232[2][0][1].member - _e1236[3][0][1].member) - select(0u, 1u, (_e1232[2][0][1].member_1 < _e1236[3][0][1].member_1))), (_e1232[2][0][1].member_1 - _e1236[3][0][1].member_1)), type_9(((_e1232[2][0][2].member - _e1236[3][0][2].member) - select(0u, 1u, (_e1232[2][0][2].member_1 < _e1236[3][0][2].member_1))), (_e1232[2][0][2].member_1 - _e1236[3][0][2].member_1))), array<type_9, 3>(type_9(((_e1283[2][1][0].member - _e1287[3][1][0].member) - select(0u, 1u, (_e1283[2][1][0].member_1 < _e1287[3][1][0].member_1))), (_e1283[2][1][0].member_1 - _e1287[3][1][0].member_1)), type_9(((_e1283[2][1][1].member - _e1287[3][1][1].member) - select(0u, 1u, (_e1283[2][1][1].member_1 < _e1287[3][1][1].member_1))), (_e1283[2][1][1].member_1 - _e1287[3][1][1].member_1)), type_9(((_e1283[2][1][2].member - _e1287[3][1][2].member) - select(0u, 1u, (_e1283[2][1][2].member_1 < _e1287[3][1][2].member_1))), (_e1283[2][1][2].member_1 - _e1287[3][1][2].member_1)))));
+                    let _e710 = params.member.member_2.member_1;
+                    let _e712 = params.member.member_2.member_2;
+                    let _e714 = params.member.member_2.member_3;
+                    if (_e229.member != 0u) {
+                        let _e1027 = local_14;
+                        let _e1031 = local_15;
+                        let _e1078 = local_16;
+                        let _e1082 = local_17;
+                        let _e1130 = local_18;
+                        let _e1134 = local_19;
+                        let _e1181 = local_20;
+                        let _e1185 = local_21;
+                        let _e1233 = local_22;
+                        let _e1237 = local_23;
+                        let _e1284 = local_24;
+                        let _e1288 = local_25;
+                        phi_1778_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1027[2][0][0].member - _e1031[0][0][0].member) - select(0u, 1u, (_e1027[2][0][0].member_1 < _e1031[0][0][0].member_1))), (_e1027[2][0][0].member_1 - _e1031[0][0][0].member_1)), type_9(((_e1027[2][0][1].member - _e1031[0][0][1].member) - select(0u, 1u, (_e1027[2][0][1].member_1 < _e1031[0][0][1].member_1))), (_e1027[2][0][1].member_1 - _e1031[0][0][1].member_1)), type_9(((_e1027[2][0][2].member - _e1031[0][0][2].member) - select(0u, 1u, (_e1027[2][0][2].member_1 < _e1031[0][0][2].member_1))), (_e1027[2][0][2].member_1 - _e1031[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1078[2][1][0].member - _e1082[0][1][0].member) - select(0u, 1u, (_e1078[2][1][0].member_1 < _e1082[0][1][0].member_1))), (_e1078[2][1][0].member_1 - _e1082[0][1][0].member_1)), type_9(((_e1078[2][1][1].member - _e1082[0][1][1].member) - select(0u, 1u, (_e1078[2][1][1].member_1 < _e1082[0][1][1].member_1))), (_e1078[2][1][1].member_1 - _e1082[0][1][1].member_1)), type_9(((_e1078[2][1][2].member - _e1082[0][1][2].member) - select(0u, 1u, (_e1078[2][1][2].member_1 < _e1082[0][1][2].member_1))), (_e1078[2][1][2].member_1 - _e1082[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1130[1][0][0].member - _e1134[0][0][0].member) - select(0u, 1u, (_e1130[1][0][0].member_1 < _e1134[0][0][0].member_1))), (_e1130[1][0][0].member_1 - _e1134[0][0][0].member_1)), type_9(((_e1130[1][0][1].member - _e1134[0][0][1].member) - select(0u, 1u, (_e1130[1][0][1].member_1 < _e1134[0][0][1].member_1))), (_e1130[1][0][1].member_1 - _e1134[0][0][1].member_1)), type_9(((_e1130[1][0][2].member - _e1134[0][0][2].member) - select(0u, 1u, (_e1130[1][0][2].member_1 < _e1134[0][0][2].member_1))), (_e1130[1][0][2].member_1 - _e1134[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1181[1][1][0].member - _e1185[0][1][0].member) - select(0u, 1u, (_e1181[1][1][0].member_1 < _e1185[0][1][0].member_1))), (_e1181[1][1][0].member_1 - _e1185[0][1][0].member_1)), type_9(((_e1181[1][1][1].member - _e1185[0][1][1].member) - select(0u, 1u, (_e1181[1][1][1].member_1 < _e1185[0][1][1].member_1))), (_e1181[1][1][1].member_1 - _e1185[0][1][1].member_1)), type_9(((_e1181[1][1][2].member - _e1185[0][1][2].member) - select(0u, 1u, (_e1181[1][1][2].member_1 < _e1185[0][1][2].member_1))), (_e1181[1][1][2].member_1 - _e1185[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1233[2][0][0].member - _e1237[3][0][0].member) - select(0u, 1u, (_e1233[2][0][0].member_1 < _e1237[3][0][0].member_1))), (_e1233[2][0][0].member_1 - _e1237[3][0][0].member_1)), type_9(((_e1233[2][0][1].member - _e1237[3][0][1].member) - select(0u, 1u, (_e1233[2][0][1].member_1 < _e1237[3][0][1].member_1))), (_e1233[2][0][1].member_1 - _e1237[3][0][1].member_1)), type_9(((_e1233[2][0][2].member - _e1237[3][0][2].member) - select(0u, 1u, (_e1233[2][0][2].member_1 < _e1237[3][0][2].member_1))), (_e1233[2][0][2].member_1 - _e1237[3][0][2].member_1))), array<type_9, 3>(type_9(((_e1284[2][1][0].member - _e1288[3][1][0].member) - select(0u, 1u, (_e1284[2][1][0].member_1 < _e1288[3][1][0].member_1))), (_e1284[2][1][0].member_1 - _e1288[3][1][0].member_1)), type_9(((_e1284[2][1][1].member - _e1288[3][1][1].member) - select(0u, 1u, (_e1284[2][1][1].member_1 < _e1288[3][1][1].member_1))), (_e1284[2][1][1].member_1 - _e1288[3][1][1].member_1)), type_9(((_e1284[2][1][2].member - _e1288[3][1][2].member) - select(0u, 1u, (_e1284[2][1][2].member_1 < _e1288[3][1][2].member_1))), (_e1284[2][1][2].member_1 - _e1288[3][1][2].member_1)))));
                     } else {
-                        let _e716 = local_2;
-                        let _e720 = local_3;
-                        let _e767 = local_4;
-                        let _e771 = local_5;
-                        let _e819 = local_6;
-                        let _e823 = local_7;
-                        let _e870 = local_8;
-                        let _e874 = local_9;
-                        let _e922 = local_10;
-                        let _e926 = local_11;
-                        let _e973 = local_12;
-                        let _e977 = local_13;
-                        phi_1778_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e716[0][0][0].member - _e720[1][0][0].member) - select(0u, 1u, (_e716[0][0][0].member_1 < _e720[1][0][0].member_1))), (_e716[0][0][0].member_1 - _e720[1][0][0].member_1)), type_9(((_e716[0][0][1].member - _e720[1][0][1].member) - select(0u, 1u, (_e716[0][0][1].member_1 < _e720[1][0][1].member_1))), (_e716[0][0][1].member_1 - _e720[1][0][1].member_1)), type_9(((_e716[0][0][2].member - _e720[1][0][2].member) - select(0u, 1u, (_e716[0][0][2].member_1 < _e720[1][0][2].member_1))), (_e716[0][0][2].member_1 - _e720[1][0][2].member_1))), array<type_9, 3>(type_9(((_e767[0][1][0].member - _e771[1][1][0].member) - select(0u, 1u, (_e767[0][1][0].member_1 < _e771[1][1][0].member_1))), (_e767[0][1][0].member_1 - _e771[1][1][0].member_1)), type_9(((_e767[0][1][1].member - _e771[1][1][1].member) - select(0u, 1u, (_e767[0][1][1].member_1 < _e771[1][1][1].member_1))), (_e767[0][1][1].member_1 - _e771[1][1][1].member_1)), type_9(((_e767[0][1][2].member - _e771[1][1][2].member) - select(0u, 1u, (_e767[0][1][2].member_1 < _e771[1][1][2].member_1))), (_e767[0][1][2].member_1 - _e771[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e819[2][0][0].member - _e823[1][0][0].member) - select(0u, 1u, (_e819[2][0][0].member_1 < _e823[1][0][0].member_1))), (_e819[2][0][0].member_1 - _e823[1][0][0].member_1)), type_9(((_e819[2][0][1].member - _e823[1][0][1].member) - select(0u, 1u, (_e819[2][0][1].member_1 < _e823[1][0][1].member_1))), (_e819[2][0][1].member_1 - _e823[1][0][1].member_1)), type_9(((_e819[2][0][2].member - _e823[1][0][2].member) - select(0u, 1u, (_e819[2][0][2].member_1 < _e823[1][0][2].member_1))), (_e819[2][0][2].member_1 - _e823[1][0][2].member_1))), array<type_9, 3>(type_9(((_e870[2][1][0].member - _e874[1][1][0].member) - select(0u, 1u, (_e870[2][1][0].member_1 < _e874[1][1][0].member_1))), (_e870[2][1][0].member_1 - _e874[1][1][0].member_1)), type_9(((_e870[2][1][1].member - _e874[1][1][1].member) - select(0u, 1u, (_e870[2][1][1].member_1 < _e874[1][1][1].member_1))), (_e870[2][1][1].member_1 - _e874[1][1][1].member_1)), type_9(((_e870[2][1][2].member - _e874[1][1][2].member) - select(0u, 1u, (_e870[2][1][2].member_1 < _e874[1][1][2].member_1))), (_e870[2][1][2].member_1 - _e874[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e922[3][0][0].member - _e926[1][0][0].member) - select(0u, 1u, (_e922[3][0][0].member_1 < _e926[1][0][0].member_1))), (_e922[3][0][0].member_1 - _e926[1][0][0].member_1)), type_9(((_e922[3][0][1].member - _e926[1][0][1].member) - select(0u, 1u, (_e922[3][0][1].member_1 < _e926[1][0][1].member_1))), (_e922[3][0][1].member_1 - _e926[1][0][1].member_1)), type_9(((_e922[3][0][2].member - _e926[1][0][2].member) - select(0u, 1u, (_e922[3][0][2].member_1 < _e926[1][0][2].member_1))), (_e922[3][0][2].member_1 - _e926[1][0][2].member_1))), array<type_9, 3>(type_9(((_e973[3][1][0].member - _e977[1][1][0].member) - select(0u, 1u, (_e973[3][1][0].member_1 < _e977[1][1][0].member_1))), (_e973[3][1][0].member_1 - _e977[1][1][0].member_1)), type_9(((_e973[3][1][1].member - _e977[1][1][1].member) - select(0u, 1u, (_e973[3][1][1].member_1 < _e977[1][1][1].member_1))), (_e973[3][1][1].member_1 - _e977[1][1][1].member_1)), type_9(((_e973[3][1][2].member - _e977[1][1][2].member) - select(0u, 1u, (_e973[3][1][2].member_1 < _e977[1][1][2].member_1))), (_e973[3][1][2].member_1 - _e977[1][1][2].member_1)))));
+                        let _e717 = local_2;
+                        let _e721 = local_3;
+                        let _e768 = local_4;
+                        let _e772 = local_5;
+                        let _e820 = local_6;
+                        let _e824 = local_7;
+                        let _e871 = local_8;
+                        let _e875 = local_9;
+                        let _e923 = local_10;
+                        let _e927 = local_11;
+                        let _e974 = local_12;
+                        let _e978 = local_13;
+                        phi_1778_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e717[0][0][0].member - _e721[1][0][0].member) - select(0u, 1u, (_e717[0][0][0].member_1 < _e721[1][0][0].member_1))), (_e717[0][0][0].member_1 - _e721[1][0][0].member_1)), type_9(((_e717[0][0][1].member - _e721[1][0][1].member) - select(0u, 1u, (_e717[0][0][1].member_1 < _e721[1][0][1].member_1))), (_e717[0][0][1].member_1 - _e721[1][0][1].member_1)), type_9(((_e717[0][0][2].member - _e721[1][0][2].member) - select(0u, 1u, (_e717[0][0][2].member_1 < _e721[1][0][2].member_1))), (_e717[0][0][2].member_1 - _e721[1][0][2].member_1))), array<type_9, 3>(type_9(((_e768[0][1][0].member - _e772[1][1][0].member) - select(0u, 1u, (_e768[0][1][0].member_1 < _e772[1][1][0].member_1))), (_e768[0][1][0].member_1 - _e772[1][1][0].member_1)), type_9(((_e768[0][1][1].member - _e772[1][1][1].member) - select(0u, 1u, (_e768[0][1][1].member_1 < _e772[1][1][1].member_1))), (_e768[0][1][1].member_1 - _e772[1][1][1].member_1)), type_9(((_e768[0][1][2].member - _e772[1][1][2].member) - select(0u, 1u, (_e768[0][1][2].member_1 < _e772[1][1][2].member_1))), (_e768[0][1][2].member_1 - _e772[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e820[2][0][0].member - _e824[1][0][0].member) - select(0u, 1u, (_e820[2][0][0].member_1 < _e824[1][0][0].member_1))), (_e820[2][0][0].member_1 - _e824[1][0][0].member_1)), type_9(((_e820[2][0][1].member - _e824[1][0][1].member) - select(0u, 1u, (_e820[2][0][1].member_1 < _e824[1][0][1].member_1))), (_e820[2][0][1].member_1 - _e824[1][0][1].member_1)), type_9(((_e820[2][0][2].member - _e824[1][0][2].member) - select(0u, 1u, (_e820[2][0][2].member_1 < _e824[1][0][2].member_1))), (_e820[2][0][2].member_1 - _e824[1][0][2].member_1))), array<type_9, 3>(type_9(((_e871[2][1][0].member - _e875[1][1][0].member) - select(0u, 1u, (_e871[2][1][0].member_1 < _e875[1][1][0].member_1))), (_e871[2][1][0].member_1 - _e875[1][1][0].member_1)), type_9(((_e871[2][1][1].member - _e875[1][1][1].member) - select(0u, 1u, (_e871[2][1][1].member_1 < _e875[1][1][1].member_1))), (_e871[2][1][1].member_1 - _e875[1][1][1].member_1)), type_9(((_e871[2][1][2].member - _e875[1][1][2].member) - select(0u, 1u, (_e871[2][1][2].member_1 < _e875[1][1][2].member_1))), (_e871[2][1][2].member_1 - _e875[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e923[3][0][0].member - _e927[1][0][0].member) - select(0u, 1u, (_e923[3][0][0].member_1 < _e927[1][0][0].member_1))), (_e923[3][0][0].member_1 - _e927[1][0][0].member_1)), type_9(((_e923[3][0][1].member - _e927[1][0][1].member) - select(0u, 1u, (_e923[3][0][1].member_1 < _e927[1][0][1].member_1))), (_e923[3][0][1].member_1 - _e927[1][0][1].member_1)), type_9(((_e923[3][0][2].member - _e927[1][0][2].member) - select(0u, 1u, (_e923[3][0][2].member_1 < _e927[1][0][2].member_1))), (_e923[3][0][2].member_1 - _e927[1][0][2].member_1))), array<type_9, 3>(type_9(((_e974[3][1][0].member - _e978[1][1][0].member) - select(0u, 1u, (_e974[3][1][0].member_1 < _e978[1][1][0].member_1))), (_e974[3][1][0].member_1 - _e978[1][1][0].member_1)), type_9(((_e974[3][1][1].member - _e978[1][1][1].member) - select(0u, 1u, (_e974[3][1][1].member_1 < _e978[1][1][1].member_1))), (_e974[3][1][1].member_1 - _e978[1][1][1].member_1)), type_9(((_e974[3][1][2].member - _e978[1][1][2].member) - select(0u, 1u, (_e974[3][1][2].member_1 < _e978[1][1][2].member_1))), (_e974[3][1][2].member_1 - _e978[1][1][2].member_1)))));
                     }
-                    let _e1336 = phi_1778_;
+                    let _e1337 = phi_1778_;
                     phi_1792_ = type_14(0i, 3i);
                     phi_1795_ = array<type_9, 4>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u));
-                    phi_1797_ = _e1336[2];
-                    phi_1799_ = _e1336[1];
-                    phi_1801_ = _e1336[0];
+                    phi_1797_ = _e1337[2];
+                    phi_1799_ = _e1337[1];
+                    phi_1801_ = _e1337[0];
                     loop {
-                        let _e1341 = phi_1792_;
-                        let _e1343 = phi_1795_;
-                        let _e1345 = phi_1797_;
-                        let _e1347 = phi_1799_;
-                        let _e1349 = phi_1801_;
-                        local_26 = _e1343;
-                        local_27 = _e1343;
-                        local_28 = _e1343;
-                        local_29 = _e1343;
-                        local_30 = _e1343;
-                        local_31 = _e1343;
-                        local_32 = _e1343;
-                        local_33 = _e1343;
-                        local_34 = _e1343;
-                        local_35 = _e1343;
-                        local_36 = _e1343;
-                        local_37 = _e1343;
-                        if (_e1341.member < _e1341.member_1) {
-                            let _e1356 = (_e1341.member + 1i);
-                            phi_1793_ = type_14(select(_e1356, type_15().member_1, select(false, true, ((false == (_e1356 > _e1341.member)) != false))), _e1341.member_1);
-                            phi_1842_ = type_15(1u, _e1341.member);
+                        let _e1342 = phi_1792_;
+                        let _e1344 = phi_1795_;
+                        let _e1346 = phi_1797_;
+                        let _e1348 = phi_1799_;
+                        let _e1350 = phi_1801_;
+                        local_26 = _e1344;
+                        local_27 = _e1344;
+                        local_28 = _e1344;
+                        local_29 = _e1344;
+                        local_30 = _e1344;
+                        local_31 = _e1344;
+                        local_32 = _e1344;
+                        local_33 = _e1344;
+                        local_34 = _e1344;
+                        local_35 = _e1344;
+                        local_36 = _e1344;
+                        local_37 = _e1344;
+                        if (_e1342.member < _e1342.member_1) {
+                            let _e1357 = (_e1342.member + 1i);
+                            phi_1793_ = type_14(select(_e1357, type_15().member_1, select(false, true, ((false == (_e1357 > _e1342.member)) != false))), _e1342.member_1);
+                            phi_1842_ = type_15(1u, _e1342.member);
                         } else {
-                            phi_1793_ = _e1341;
+                            phi_1793_ = _e1342;
                             phi_1842_ = type_15(0u, type_15().member_1);
                         }
-                        let _e1367 = phi_1793_;
-                        let _e1369 = phi_1842_;
-                        let _e1372 = (bitcast<i32>(_e1369.member) != 0i);
-                        if _e1372 {
-                            let _e1391 = function_7(_e1347[0][1].member, _e1347[0][1].member_1, _e1345[0][2].member, _e1345[0][2].member_1);
-                            let _e1394 = function_7(_e1347[0][2].member, _e1347[0][2].member_1, _e1345[0][1].member, _e1345[0][1].member_1);
-                            let _e1400 = ((_e1391.member - _e1394.member) - select(0u, 1u, (_e1391.member_1 < _e1394.member_1)));
-                            let _e1401 = (_e1391.member_1 - _e1394.member_1);
-                            let _e1420 = function_7(_e1347[1][1].member, _e1347[1][1].member_1, _e1345[1][2].member, _e1345[1][2].member_1);
-                            let _e1423 = function_7(_e1347[1][2].member, _e1347[1][2].member_1, _e1345[1][1].member, _e1345[1][1].member_1);
-                            let _e1429 = ((_e1420.member - _e1423.member) - select(0u, 1u, (_e1420.member_1 < _e1423.member_1)));
-                            let _e1430 = (_e1420.member_1 - _e1423.member_1);
-                            let _e1449 = function_7(_e1347[0][1].member, _e1347[0][1].member_1, _e1345[1][2].member, _e1345[1][2].member_1);
-                            let _e1452 = function_7(_e1347[0][2].member, _e1347[0][2].member_1, _e1345[1][1].member, _e1345[1][1].member_1);
-                            let _e1459 = (_e1449.member_1 - _e1452.member_1);
-                            let _e1478 = function_7(_e1347[1][1].member, _e1347[1][1].member_1, _e1345[0][2].member, _e1345[0][2].member_1);
-                            let _e1481 = function_7(_e1347[1][2].member, _e1347[1][2].member_1, _e1345[0][1].member, _e1345[0][1].member_1);
-                            let _e1489 = (_e1459 + (_e1478.member_1 - _e1481.member_1));
-                            let _e1493 = ((((_e1449.member - _e1452.member) - select(0u, 1u, (_e1449.member_1 < _e1452.member_1))) + ((_e1478.member - _e1481.member) - select(0u, 1u, (_e1478.member_1 < _e1481.member_1)))) + select(0u, 1u, (_e1489 < _e1459)));
-                            let _e1510 = function_7(_e1349[0][0].member, _e1349[0][0].member_1, _e1400, _e1401);
-                            let _e1513 = (_e1343[0].member_1 + _e1510.member_1);
-                            let _e1523 = function_7(_e1349[1][0].member, _e1349[1][0].member_1, _e1400, _e1401);
-                            let _e1526 = (_e1343[1].member_1 + _e1523.member_1);
-                            let _e1531 = function_7(_e1349[0][0].member, _e1349[0][0].member_1, _e1493, _e1489);
-                            let _e1534 = (_e1526 + _e1531.member_1);
-                            let _e1544 = function_7(_e1349[0][0].member, _e1349[0][0].member_1, _e1429, _e1430);
-                            let _e1547 = (_e1343[2].member_1 + _e1544.member_1);
-                            let _e1552 = function_7(_e1349[1][0].member, _e1349[1][0].member_1, _e1493, _e1489);
-                            let _e1555 = (_e1547 + _e1552.member_1);
-                            let _e1565 = function_7(_e1349[1][0].member, _e1349[1][0].member_1, _e1429, _e1430);
-                            let _e1568 = (_e1343[3].member_1 + _e1565.member_1);
-                            phi_1796_ = array<type_9, 4>(type_9(((_e1343[0].member + _e1510.member) + select(0u, 1u, (_e1513 < _e1343[0].member_1))), _e1513), type_9(((((_e1343[1].member + _e1523.member) + select(0u, 1u, (_e1526 < _e1343[1].member_1))) + _e1531.member) + select(0u, 1u, (_e1534 < _e1526))), _e1534), type_9(((((_e1343[2].member + _e1544.member) + select(0u, 1u, (_e1547 < _e1343[2].member_1))) + _e1552.member) + select(0u, 1u, (_e1555 < _e1547))), _e1555), type_9(((_e1343[3].member + _e1565.member) + select(0u, 1u, (_e1568 < _e1343[3].member_1))), _e1568));
-                            phi_1798_ = array<array<type_9, 3>, 2>(array<type_9, 3>(_e1345[0][1], _e1345[0][2], _e1345[0][0]), array<type_9, 3>(_e1345[1][1], _e1345[1][2], _e1345[1][0]));
-                            phi_1800_ = array<array<type_9, 3>, 2>(array<type_9, 3>(_e1347[0][1], _e1347[0][2], _e1347[0][0]), array<type_9, 3>(_e1347[1][1], _e1347[1][2], _e1347[1][0]));
-                            phi_1802_ = array<array<type_9, 3>, 2>(array<type_9, 3>(_e1349[0][1], _e1349[0][2], _e1349[0][0]), array<type_9, 3>(_e1349[1][1], _e1349[1][2], _e1349[1][0]));
+                        let _e1368 = phi_1793_;
+                        let _e1370 = phi_1842_;
+                        let _e1373 = (bitcast<i32>(_e1370.member) != 0i);
+                        if _e1373 {
+                            let _e1392 = function_7(_e1348[0][1].member, _e1348[0][1].member_1, _e1346[0][2].member, _e1346[0][2].member_1);
+                            let _e1395 = function_7(_e1348[0][2].member, _e1348[0][2].member_1, _e1346[0][1].member, _e1346[0][1].member_1);
+                            let _e1401 = ((_e1392.member - _e1395.member) - select(0u, 1u, (_e1392.member_1 < _e1395.member_1)));
+                            let _e1402 = (_e1392.member_1 - _e1395.member_1);
+                            let _e1421 = function_7(_e1348[1][1].member, _e1348[1][1].member_1, _e1346[1][2].member, _e1346[1][2].member_1);
+                            let _e1424 = function_7(_e1348[1][2].member, _e1348[1][2].member_1, _e1346[1][1].member, _e1346[1][1].member_1);
+                            let _e1430 = ((_e1421.member - _e1424.member) - select(0u, 1u, (_e1421.member_1 < _e1424.member_1)));
+                            let _e1431 = (_e1421.member_1 - _e1424.member_1);
+                            let _e1450 = function_7(_e1348[0][1].member, _e1348[0][1].member_1, _e1346[1][2].member, _e1346[1][2].member_1);
+                            let _e1453 = function_7(_e1348[0][2].member, _e1348[0][2].member_1, _e1346[1][1].member, _e1346[1][1].member_1);
+                            let _e1460 = (_e1450.member_1 - _e1453.member_1);
+                            let _e1479 = function_7(_e1348[1][1].member, _e1348[1][1].member_1, _e1346[0][2].member, _e1346[0][2].member_1);
+                            let _e1482 = function_7(_e1348[1][2].member, _e1348[1][2].member_1, _e1346[0][1].member, _e1346[0][1].member_1);
+                            let _e1490 = (_e1460 + (_e1479.member_1 - _e1482.member_1));
+                            let _e1494 = ((((_e1450.member - _e1453.member) - select(0u, 1u, (_e1450.member_1 < _e1453.member_1))) + ((_e1479.member - _e1482.member) - select(0u, 1u, (_e1479.member_1 < _e1482.member_1)))) + select(0u, 1u, (_e1490 < _e1460)));
+                            let _e1511 = function_7(_e1350[0][0].member, _e1350[0][0].member_1, _e1401, _e1402);
+                            let _e1514 = (_e1344[0].member_1 + _e1511.member_1);
+                            let _e1524 = function_7(_e1350[1][0].member, _e1350[1][0].member_1, _e1401, _e1402);
+                            let _e1527 = (_e1344[1].member_1 + _e1524.member_1);
+                            let _e1532 = function_7(_e1350[0][0].member, _e1350[0][0].member_1, _e1494, _e1490);
+                            let _e1535 = (_e1527 + _e1532.member_1);
+                            let _e1545 = function_7(_e1350[0][0].member, _e1350[0][0].member_1, _e1430, _e1431);
+                            let _e1548 = (_e1344[2].member_1 + _e1545.member_1);
+                            let _e1553 = function_7(_e1350[1][0].member, _e1350[1][0].member_1, _e1494, _e1490);
+                            let _e1556 = (_e1548 + _e1553.member_1);
+                            let _e1566 = function_7(_e1350[1][0].member, _e1350[1][0].member_1, _e1430, _e1431);
+                            let _e1569 = (_e1344[3].member_1 + _e1566.member_1);
+                            phi_1796_ = array<type_9, 4>(type_9(((_e1344[0].member + _e1511.member) + select(0u, 1u, (_e1514 < _e1344[0].member_1))), _e1514), type_9(((((_e1344[1].member + _e1524.member) + select(0u, 1u, (_e1527 < _e1344[1].member_1))) + _e1532.member) + select(0u, 1u, (_e1535 < _e1527))), _e1535), type_9(((((_e1344[2].member + _e1545.member) + select(0u, 1u, (_e1548 < _e1344[2].member_1))) + _e1553.member) + select(0u, 1u, (_e1556 < _e1548))), _e1556), type_9(((_e1344[3].member + _e1566.member) + select(0u, 1u, (_e1569 < _e1344[3].member_1))), _e1569));
+                            phi_1798_ = array<array<type_9, 3>, 2>(array<type_9, 3>(_e1346[0][1], _e1346[0][2], _e1346[0][0]), array<type_9, 3>(_e1346[1][1], _e1346[1][2], _e1346[1][0]));
+                            phi_1800_ = array<array<type_9, 3>, 2>(array<type_9, 3>(_e1348[0][1], _e1348[0][2], _e1348[0][0]), array<type_9, 3>(_e1348[1][1], _e1348[1][2], _e1348[1][0]));
+                            phi_1802_ = array<array<type_9, 3>, 2>(array<type_9, 3>(_e1350[0][1], _e1350[0][2], _e1350[0][0]), array<type_9, 3>(_e1350[1][1], _e1350[1][2], _e1350[1][0]));
                         } else {
                             phi_1796_ = array<type_9, 4>();
                             phi_1798_ = array<array<type_9, 3>, 2>();
                             phi_1800_ = array<array<type_9, 3>, 2>();
                             phi_1802_ = array<array<type_9, 3>, 2>();
                         }
-                        let _e1609 = phi_1796_;
-                        let _e1611 = phi_1798_;
-                        let _e1613 = phi_1800_;
-                        let _e1615 = phi_1802_;
+                        let _e1610 = phi_1796_;
+                        let _e1612 = phi_1798_;
+                        let _e1614 = phi_1800_;
+                        let _e1616 = phi_1802_;
                         continue;
                         continuing {
-                            phi_1792_ = _e1367;
-                            phi_1795_ = _e1609;
-                            phi_1797_ = _e1611;
-                            phi_1799_ = _e1613;
-                            phi_1801_ = _e1615;
-                            break if !(_e1372);
+                            phi_1792_ = _e1368;
+                            phi_1795_ = _e1610;
+                            phi_1797_ = _e1612;
+                            phi_1799_ = _e1614;
+                            phi_1801_ = _e1616;
+                            break if !(_e1373);
                         }
                     }
-                    let _e1618 = local_26;
-                    let _e1622 = local_27;
-                    let _e1625 = function_6(_e1618[0].member, _e1622[0].member_1);
-                    let _e1629 = local_28;
-                    let _e1633 = local_29;
-                    let _e1637 = local_30;
-                    let _e1641 = local_31;
-                    let _e1645 = local_32;
-                    let _e1649 = local_33;
-                    let _e1652 = function_6(_e1645[3].member, _e1649[3].member_1);
-                    let _e1656 = local_34;
-                    let _e1659 = local_35;
-                    let _e1666 = select((bitcast<u32>(31i) - firstLeadingBit(_e713)), 32u, (_e713 == 0u));
-                    let _e1668 = select(18u, _e1666, (18u < _e1666));
-                    let _e1669 = function_1(128u);
-                    let _e1674 = ((_e1625.member >> bitcast<u32>(31i)) != 0u);
-                    let _e1697 = function_1(128u);
-                    let _e1702 = ((_e1629[1].member >> bitcast<u32>(31i)) != 0u);
-                    let _e1710 = local_36;
-                    let _e1731 = function_1(128u);
-                    let _e1736 = ((_e1637[2].member >> bitcast<u32>(31i)) != 0u);
-                    let _e1744 = local_37;
-                    let _e1765 = function_1(128u);
-                    let _e1770 = ((_e1652.member >> bitcast<u32>(31i)) != 0u);
-                    phi_2395_ = (((select(0u, select(1u, 2u, ((_e1625.member >> bitcast<u32>(31i)) != 0u)), ((((_e1669.member - select(_e1625.member, (~(_e1625.member) + select(0u, 1u, (_e1625.member_1 == 0u))), _e1674)) - select(0u, 1u, (_e1669.member_1 < select(_e1625.member_1, (~(_e1625.member_1) + 1u), _e1674)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e1629[1].member >> bitcast<u32>(31i)) != 0u)), ((((_e1697.member - select(_e1710[1].member, (~(_e1629[1].member) + select(0u, 1u, (_e1633[1].member_1 == 0u))), _e1702)) - select(0u, 1u, (_e1697.member_1 < select(_e1710[1].member_1, (~(_e1633[1].member_1) + 1u), _e1702)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e1637[2].member >> bitcast<u32>(31i)) != 0u)), ((((_e1731.member - select(_e1744[2].member, (~(_e1637[2].member) + select(0u, 1u, (_e1641[2].member_1 == 0u))), _e1736)) - select(0u, 1u, (_e1731.member_1 < select(_e1744[2].member_1, (~(_e1641[2].member_1) + 1u), _e1736)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e1652.member >> bitcast<u32>(31i)) != 0u)), ((((_e1765.member - select(_e1652.member, (~(_e1652.member) + select(0u, 1u, (_e1652.member_1 == 0u))), _e1770)) - select(0u, 1u, (_e1765.member_1 < select(_e1652.member_1, (~(_e1652.member_1) + 1u), _e1770)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
-                    phi_2398_ = array<type_9, 4>(_e1625, _e1656[1], _e1659[2], _e1652);
+                    let _e1619 = local_26;
+                    let _e1623 = local_27;
+                    let _e1626 = function_6(_e1619[0].member, _e1623[0].member_1);
+                    let _e1630 = local_28;
+                    let _e1634 = local_29;
+                    let _e1638 = local_30;
+                    let _e1642 = local_31;
+                    let _e1646 = local_32;
+                    let _e1650 = local_33;
+                    let _e1653 = function_6(_e1646[3].member, _e1650[3].member_1);
+                    let _e1657 = local_34;
+                    let _e1660 = local_35;
+                    let _e1667 = select((bitcast<u32>(31i) - firstLeadingBit(_e714)), 32u, (_e714 == 0u));
+                    let _e1669 = select(18u, _e1667, (18u < _e1667));
+                    let _e1670 = function_1(128u);
+                    let _e1675 = ((_e1626.member >> bitcast<u32>(31i)) != 0u);
+                    let _e1698 = function_1(128u);
+                    let _e1703 = ((_e1630[1].member >> bitcast<u32>(31i)) != 0u);
+                    let _e1711 = local_36;
+                    let _e1732 = function_1(128u);
+                    let _e1737 = ((_e1638[2].member >> bitcast<u32>(31i)) != 0u);
+                    let _e1745 = local_37;
+                    let _e1766 = function_1(128u);
+                    let _e1771 = ((_e1653.member >> bitcast<u32>(31i)) != 0u);
+                    phi_2395_ = (((select(0u, select(1u, 2u, ((_e1626.member >> bitcast<u32>(31i)) != 0u)), ((((_e1670.member - select(_e1626.member, (~(_e1626.member) + select(0u, 1u, (_e1626.member_1 == 0u))), _e1675)) - select(0u, 1u, (_e1670.member_1 < select(_e1626.member_1, (~(_e1626.member_1) + 1u), _e1675)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e1630[1].member >> bitcast<u32>(31i)) != 0u)), ((((_e1698.member - select(_e1711[1].member, (~(_e1630[1].member) + select(0u, 1u, (_e1634[1].member_1 == 0u))), _e1703)) - select(0u, 1u, (_e1698.member_1 < select(_e1711[1].member_1, (~(_e1634[1].member_1) + 1u), _e1703)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e1638[2].member >> bitcast<u32>(31i)) != 0u)), ((((_e1732.member - select(_e1745[2].member, (~(_e1638[2].member) + select(0u, 1u, (_e1642[2].member_1 == 0u))), _e1737)) - select(0u, 1u, (_e1732.member_1 < select(_e1745[2].member_1, (~(_e1642[2].member_1) + 1u), _e1737)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e1653.member >> bitcast<u32>(31i)) != 0u)), ((((_e1766.member - select(_e1653.member, (~(_e1653.member) + select(0u, 1u, (_e1653.member_1 == 0u))), _e1771)) - select(0u, 1u, (_e1766.member_1 < select(_e1653.member_1, (~(_e1653.member_1) + 1u), _e1771)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
+                    phi_2398_ = array<type_9, 4>(_e1626, _e1657[1], _e1660[2], _e1653);
                     phi_2400_ = false;
                     phi_2402_ = false;
                     phi_2404_ = false;
@@ -1041,102 +1041,102 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_2416_ = 0u;
                     phi_2418_ = 0u;
                     loop {
-                        let _e1797 = phi_2395_;
-                        let _e1799 = phi_2398_;
-                        let _e1801 = phi_2400_;
-                        let _e1803 = phi_2402_;
-                        let _e1805 = phi_2404_;
-                        let _e1807 = phi_2406_;
-                        let _e1809 = phi_2408_;
-                        let _e1811 = phi_2410_;
-                        let _e1813 = phi_2412_;
-                        let _e1815 = phi_2414_;
-                        let _e1817 = phi_2416_;
-                        let _e1819 = phi_2418_;
-                        if (_e1815 < 64u) {
-                            phi_2427_ = _e1797;
-                            phi_2430_ = _e1799;
-                            phi_2432_ = _e1805;
-                            phi_2434_ = _e1807;
-                            phi_2436_ = _e1801;
+                        let _e1798 = phi_2395_;
+                        let _e1800 = phi_2398_;
+                        let _e1802 = phi_2400_;
+                        let _e1804 = phi_2402_;
+                        let _e1806 = phi_2404_;
+                        let _e1808 = phi_2406_;
+                        let _e1810 = phi_2408_;
+                        let _e1812 = phi_2410_;
+                        let _e1814 = phi_2412_;
+                        let _e1816 = phi_2414_;
+                        let _e1818 = phi_2416_;
+                        let _e1820 = phi_2418_;
+                        if (_e1816 < 64u) {
+                            phi_2427_ = _e1798;
+                            phi_2430_ = _e1800;
+                            phi_2432_ = _e1806;
+                            phi_2434_ = _e1808;
+                            phi_2436_ = _e1802;
                             phi_2438_ = false;
                             phi_2440_ = false;
                             phi_2442_ = false;
-                            phi_2444_ = _e1811;
-                            phi_2446_ = _e1813;
-                            phi_2448_ = _e1815;
-                            phi_2450_ = _e1817;
-                            phi_2452_ = _e1819;
+                            phi_2444_ = _e1812;
+                            phi_2446_ = _e1814;
+                            phi_2448_ = _e1816;
+                            phi_2450_ = _e1818;
+                            phi_2452_ = _e1820;
                             loop {
-                                let _e1822 = phi_2427_;
-                                let _e1824 = phi_2430_;
-                                let _e1826 = phi_2432_;
-                                let _e1828 = phi_2434_;
-                                let _e1830 = phi_2436_;
-                                let _e1832 = phi_2438_;
-                                let _e1834 = phi_2440_;
-                                let _e1836 = phi_2442_;
-                                let _e1838 = phi_2444_;
-                                let _e1840 = phi_2446_;
-                                let _e1842 = phi_2448_;
-                                let _e1844 = phi_2450_;
-                                let _e1846 = phi_2452_;
-                                local_38 = _e1830;
-                                local_39 = _e1836;
-                                local_40 = _e1844;
-                                local_41 = _e1822;
-                                local_42 = _e1840;
-                                local_43 = _e1838;
-                                local_44 = _e1844;
-                                local_45 = _e1822;
-                                local_46 = _e1822;
-                                local_47 = _e1844;
-                                local_48 = _e1834;
-                                local_49 = _e1832;
-                                local_50 = _e1844;
-                                local_51 = _e1822;
-                                local_52 = _e1832;
-                                local_53 = _e1832;
-                                local_54 = _e1832;
-                                local_55 = _e1832;
-                                local_56 = _e1840;
-                                local_57 = _e1840;
-                                local_58 = _e1840;
-                                local_59 = _e1838;
-                                local_60 = _e1824;
-                                local_61 = _e1824;
-                                local_62 = _e1824;
-                                local_63 = _e1824;
-                                local_64 = _e1824;
-                                local_65 = _e1824;
-                                local_66 = _e1824;
-                                local_67 = _e1824;
-                                local_70 = _e1840;
-                                local_71 = _e1840;
-                                local_72 = _e1822;
-                                local_74 = _e1832;
-                                local_108 = _e1836;
-                                local_109 = _e1826;
-                                local_110 = _e1828;
-                                local_111 = _e1836;
-                                local_112 = _e1826;
-                                local_113 = _e1828;
-                                local_114 = _e1836;
-                                local_75 = _e1846;
-                                local_76 = _e1846;
-                                local_77 = _e1844;
-                                local_78 = _e1844;
-                                local_79 = _e1844;
-                                local_80 = _e1840;
-                                local_115 = _e1844;
-                                local_116 = _e1846;
-                                local_117 = _e1822;
-                                local_119 = _e1824;
-                                local_120 = _e1838;
-                                local_121 = _e1840;
-                                local_122 = _e1842;
-                                if (_e1842 < 64u) {
-                                    if _e1836 {
+                                let _e1823 = phi_2427_;
+                                let _e1825 = phi_2430_;
+                                let _e1827 = phi_2432_;
+                                let _e1829 = phi_2434_;
+                                let _e1831 = phi_2436_;
+                                let _e1833 = phi_2438_;
+                                let _e1835 = phi_2440_;
+                                let _e1837 = phi_2442_;
+                                let _e1839 = phi_2444_;
+                                let _e1841 = phi_2446_;
+                                let _e1843 = phi_2448_;
+                                let _e1845 = phi_2450_;
+                                let _e1847 = phi_2452_;
+                                local_38 = _e1831;
+                                local_39 = _e1837;
+                                local_40 = _e1845;
+                                local_41 = _e1823;
+                                local_42 = _e1841;
+                                local_43 = _e1839;
+                                local_44 = _e1845;
+                                local_45 = _e1823;
+                                local_46 = _e1823;
+                                local_47 = _e1845;
+                                local_48 = _e1835;
+                                local_49 = _e1833;
+                                local_50 = _e1845;
+                                local_51 = _e1823;
+                                local_52 = _e1833;
+                                local_53 = _e1833;
+                                local_54 = _e1833;
+                                local_55 = _e1833;
+                                local_56 = _e1841;
+                                local_57 = _e1841;
+                                local_58 = _e1841;
+                                local_59 = _e1839;
+                                local_60 = _e1825;
+                                local_61 = _e1825;
+                                local_62 = _e1825;
+                                local_63 = _e1825;
+                                local_64 = _e1825;
+                                local_65 = _e1825;
+                                local_66 = _e1825;
+                                local_67 = _e1825;
+                                local_70 = _e1841;
+                                local_71 = _e1841;
+                                local_72 = _e1823;
+                                local_74 = _e1833;
+                                local_108 = _e1837;
+                                local_109 = _e1827;
+                                local_110 = _e1829;
+                                local_111 = _e1837;
+                                local_112 = _e1827;
+                                local_113 = _e1829;
+                                local_114 = _e1837;
+                                local_75 = _e1847;
+                                local_76 = _e1847;
+                                local_77 = _e1845;
+                                local_78 = _e1845;
+                                local_79 = _e1845;
+                                local_80 = _e1841;
+                                local_115 = _e1845;
+                                local_116 = _e1847;
+                                local_117 = _e1823;
+                                local_119 = _e1825;
+                                local_120 = _e1839;
+                                local_121 = _e1841;
+                                local_122 = _e1843;
+                                if (_e1843 < 64u) {
+                                    if _e1837 {
                                         phi_3131_ = u32();
                                         phi_3132_ = array<type_9, 4>();
                                         phi_3133_ = bool();
@@ -1152,7 +1152,7 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_3143_ = u32();
                                         phi_3144_ = false;
                                     } else {
-                                        if _e1830 {
+                                        if _e1831 {
                                             phi_3117_ = u32();
                                             phi_3118_ = array<type_9, 4>();
                                             phi_3119_ = bool();
@@ -1168,194 +1168,194 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_3129_ = u32();
                                             phi_3130_ = false;
                                         } else {
-                                            let _e1849 = (31u - _e1844);
-                                            let _e1852 = (_e1846 << bitcast<u32>((_e1849 & 31u)));
-                                            let _e1856 = ((_e1846 + 1u) << bitcast<u32>((_e1849 & 31u)));
-                                            let _e1857 = (_e1852 > _e711);
-                                            let _e1858 = (_e1856 < _e709);
-                                            let _e1865 = select(select(select(select((_e1822 == 170u), true, (_e1822 == 85u)), bool(), _e1858), bool(), _e1857), true, select(_e1858, true, _e1857));
-                                            let _e1869 = select((_e1822 ^ 255u), _e1822, ((_e1822 & 3u) == 1u));
-                                            let _e1870 = (_e1869 == 149u);
-                                            let _e1871 = (_e1869 == 165u);
-                                            let _e1876 = select(select(select((_e1869 == 169u), bool(), _e1871), bool(), _e1870), true, select(_e1871, true, _e1870));
-                                            let _e1880 = select(false, (_e1852 >= _e709), ((_e1822 & 3u) == 0u));
-                                            let _e1881 = (_e1844 == 3u);
-                                            let _e1882 = (_e1844 == 8u);
-                                            let _e1887 = select(select(select((_e1844 == 14u), bool(), _e1882), bool(), _e1881), true, select(_e1882, true, _e1881));
-                                            let _e1889 = select(false, !(_e1826), _e1880);
-                                            let _e1890 = (_e1844 == 31u);
-                                            let _e1901 = select(select(false, !(_e1828), select(select(select(select(select(false, !(_e1803), _e1876), bool(), _e1880), bool(), _e1887), bool(), _e1890), true, select(select(_e1880, true, _e1887), true, _e1890))), true, _e1889);
-                                            if _e1865 {
-                                                phi_3111_ = _e1822;
-                                                phi_3112_ = _e1824;
-                                                phi_3113_ = _e1826;
-                                                phi_3114_ = _e1828;
-                                                phi_3115_ = _e1844;
-                                                phi_3116_ = _e1846;
+                                            let _e1850 = (31u - _e1845);
+                                            let _e1853 = (_e1847 << bitcast<u32>((_e1850 & 31u)));
+                                            let _e1857 = ((_e1847 + 1u) << bitcast<u32>((_e1850 & 31u)));
+                                            let _e1858 = (_e1853 > _e712);
+                                            let _e1859 = (_e1857 < _e710);
+                                            let _e1866 = select(select(select(select((_e1823 == 170u), true, (_e1823 == 85u)), bool(), _e1859), bool(), _e1858), true, select(_e1859, true, _e1858));
+                                            let _e1870 = select((_e1823 ^ 255u), _e1823, ((_e1823 & 3u) == 1u));
+                                            let _e1871 = (_e1870 == 149u);
+                                            let _e1872 = (_e1870 == 165u);
+                                            let _e1877 = select(select(select((_e1870 == 169u), bool(), _e1872), bool(), _e1871), true, select(_e1872, true, _e1871));
+                                            let _e1881 = select(false, (_e1853 >= _e710), ((_e1823 & 3u) == 0u));
+                                            let _e1882 = (_e1845 == 3u);
+                                            let _e1883 = (_e1845 == 8u);
+                                            let _e1888 = select(select(select((_e1845 == 14u), bool(), _e1883), bool(), _e1882), true, select(_e1883, true, _e1882));
+                                            let _e1890 = select(false, !(_e1827), _e1881);
+                                            let _e1891 = (_e1845 == 31u);
+                                            let _e1902 = select(select(false, !(_e1829), select(select(select(select(select(false, !(_e1804), _e1877), bool(), _e1881), bool(), _e1888), bool(), _e1891), true, select(select(_e1881, true, _e1888), true, _e1891))), true, _e1890);
+                                            if _e1866 {
+                                                phi_3111_ = _e1823;
+                                                phi_3112_ = _e1825;
+                                                phi_3113_ = _e1827;
+                                                phi_3114_ = _e1829;
+                                                phi_3115_ = _e1845;
+                                                phi_3116_ = _e1847;
                                             } else {
-                                                if _e1901 {
-                                                    phi_3105_ = _e1822;
-                                                    phi_3106_ = _e1824;
-                                                    phi_3107_ = _e1826;
-                                                    phi_3108_ = _e1828;
-                                                    phi_3109_ = _e1844;
-                                                    phi_3110_ = _e1846;
+                                                if _e1902 {
+                                                    phi_3105_ = _e1823;
+                                                    phi_3106_ = _e1825;
+                                                    phi_3107_ = _e1827;
+                                                    phi_3108_ = _e1829;
+                                                    phi_3109_ = _e1845;
+                                                    phi_3110_ = _e1847;
                                                 } else {
-                                                    let _e1910 = (_e1824[0].member_1 + _e1824[1].member_1);
-                                                    let _e1914 = ((_e1824[0].member + _e1824[1].member) + select(0u, 1u, (_e1910 < _e1824[0].member_1)));
-                                                    let _e1922 = bitcast<u32>((bitcast<i32>(_e1914) >> bitcast<u32>(1u)));
-                                                    let _e1925 = ((_e1910 >> bitcast<u32>(1u)) | ((_e1914 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                    let _e1934 = (_e1824[1].member_1 + _e1824[2].member_1);
-                                                    let _e1938 = ((_e1824[1].member + _e1824[2].member) + select(0u, 1u, (_e1934 < _e1824[1].member_1)));
-                                                    let _e1946 = bitcast<u32>((bitcast<i32>(_e1938) >> bitcast<u32>(1u)));
-                                                    let _e1949 = ((_e1934 >> bitcast<u32>(1u)) | ((_e1938 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                    let _e1958 = (_e1824[2].member_1 + _e1824[3].member_1);
-                                                    let _e1962 = ((_e1824[2].member + _e1824[3].member) + select(0u, 1u, (_e1958 < _e1824[2].member_1)));
-                                                    let _e1970 = bitcast<u32>((bitcast<i32>(_e1962) >> bitcast<u32>(1u)));
-                                                    let _e1973 = ((_e1958 >> bitcast<u32>(1u)) | ((_e1962 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                    let _e1974 = (_e1925 + _e1949);
-                                                    let _e1978 = ((_e1922 + _e1946) + select(0u, 1u, (_e1974 < _e1925)));
-                                                    let _e1986 = bitcast<u32>((bitcast<i32>(_e1978) >> bitcast<u32>(1u)));
-                                                    let _e1989 = ((_e1974 >> bitcast<u32>(1u)) | ((_e1978 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                    let _e1990 = (_e1949 + _e1973);
-                                                    let _e1994 = ((_e1946 + _e1970) + select(0u, 1u, (_e1990 < _e1949)));
-                                                    let _e2002 = bitcast<u32>((bitcast<i32>(_e1994) >> bitcast<u32>(1u)));
-                                                    let _e2005 = ((_e1990 >> bitcast<u32>(1u)) | ((_e1994 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                    let _e2006 = (_e1989 + _e2005);
-                                                    let _e2010 = ((_e1986 + _e2002) + select(0u, 1u, (_e2006 < _e1989)));
-                                                    let _e2018 = bitcast<u32>((bitcast<i32>(_e2010) >> bitcast<u32>(1u)));
-                                                    let _e2021 = ((_e2006 >> bitcast<u32>(1u)) | ((_e2010 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                    let _e2022 = (2u * _e1846);
-                                                    let _e2037 = function_1(128u);
-                                                    let _e2042 = ((_e1824[0].member >> bitcast<u32>(31i)) != 0u);
-                                                    let _e2066 = function_1(128u);
-                                                    let _e2071 = ((_e1922 >> bitcast<u32>(31i)) != 0u);
-                                                    let _e2095 = function_1(128u);
-                                                    let _e2100 = ((_e1986 >> bitcast<u32>(31i)) != 0u);
-                                                    let _e2124 = function_1(128u);
-                                                    let _e2129 = ((_e2018 >> bitcast<u32>(31i)) != 0u);
-                                                    let _e2152 = (((select(0u, select(1u, 2u, ((_e1824[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e2037.member - select(_e1824[0].member, (~(_e1824[0].member) + select(0u, 1u, (_e1824[0].member_1 == 0u))), _e2042)) - select(0u, 1u, (_e2037.member_1 < select(_e1824[0].member_1, (~(_e1824[0].member_1) + 1u), _e2042)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e1922 >> bitcast<u32>(31i)) != 0u)), ((((_e2066.member - select(_e1922, (~(_e1922) + select(0u, 1u, (_e1925 == 0u))), _e2071)) - select(0u, 1u, (_e2066.member_1 < select(_e1925, (~(_e1925) + 1u), _e2071)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e1986 >> bitcast<u32>(31i)) != 0u)), ((((_e2095.member - select(_e1986, (~(_e1986) + select(0u, 1u, (_e1989 == 0u))), _e2100)) - select(0u, 1u, (_e2095.member_1 < select(_e1989, (~(_e1989) + 1u), _e2100)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e2018 >> bitcast<u32>(31i)) != 0u)), ((((_e2124.member - select(_e2018, (~(_e2018) + select(0u, 1u, (_e2021 == 0u))), _e2129)) - select(0u, 1u, (_e2124.member_1 < select(_e2021, (~(_e2021) + 1u), _e2129)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
-                                                    if select((_e2152 == 170u), true, (_e2152 == 85u)) {
-                                                        let _e2162 = function_1(128u);
-                                                        let _e2167 = ((_e2018 >> bitcast<u32>(31i)) != 0u);
-                                                        let _e2188 = function_1(128u);
-                                                        let _e2193 = ((_e2002 >> bitcast<u32>(31i)) != 0u);
-                                                        let _e2217 = function_1(128u);
-                                                        let _e2222 = ((_e1970 >> bitcast<u32>(31i)) != 0u);
-                                                        let _e2246 = function_1(128u);
-                                                        let _e2251 = ((_e1824[3].member >> bitcast<u32>(31i)) != 0u);
-                                                        phi_3101_ = (((select(0u, select(1u, 2u, ((_e2018 >> bitcast<u32>(31i)) != 0u)), ((((_e2162.member - select(_e2018, (~(_e2018) + select(0u, 1u, (_e2021 == 0u))), _e2167)) - select(0u, 1u, (_e2162.member_1 < select(_e2021, (~(_e2021) + 1u), _e2167)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e2002 >> bitcast<u32>(31i)) != 0u)), ((((_e2188.member - select(_e2002, (~(_e2002) + select(0u, 1u, (_e2005 == 0u))), _e2193)) - select(0u, 1u, (_e2188.member_1 < select(_e2005, (~(_e2005) + 1u), _e2193)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e1970 >> bitcast<u32>(31i)) != 0u)), ((((_e2217.member - select(_e1970, (~(_e1970) + select(0u, 1u, (_e1973 == 0u))), _e2222)) - select(0u, 1u, (_e2217.member_1 < select(_e1973, (~(_e1973) + 1u), _e2222)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e1824[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e2246.member - select(_e1824[3].member, (~(_e1824[3].member) + select(0u, 1u, (_e1824[3].member_1 == 0u))), _e2251)) - select(0u, 1u, (_e2246.member_1 < select(_e1824[3].member_1, (~(_e1824[3].member_1) + 1u), _e2251)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
-                                                        phi_3102_ = array<type_9, 4>(type_9(_e2018, _e2021), type_9(_e2002, _e2005), type_9(_e1970, _e1973), _e1824[3]);
+                                                    let _e1911 = (_e1825[0].member_1 + _e1825[1].member_1);
+                                                    let _e1915 = ((_e1825[0].member + _e1825[1].member) + select(0u, 1u, (_e1911 < _e1825[0].member_1)));
+                                                    let _e1923 = bitcast<u32>((bitcast<i32>(_e1915) >> bitcast<u32>(1u)));
+                                                    let _e1926 = ((_e1911 >> bitcast<u32>(1u)) | ((_e1915 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                    let _e1935 = (_e1825[1].member_1 + _e1825[2].member_1);
+                                                    let _e1939 = ((_e1825[1].member + _e1825[2].member) + select(0u, 1u, (_e1935 < _e1825[1].member_1)));
+                                                    let _e1947 = bitcast<u32>((bitcast<i32>(_e1939) >> bitcast<u32>(1u)));
+                                                    let _e1950 = ((_e1935 >> bitcast<u32>(1u)) | ((_e1939 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                    let _e1959 = (_e1825[2].member_1 + _e1825[3].member_1);
+                                                    let _e1963 = ((_e1825[2].member + _e1825[3].member) + select(0u, 1u, (_e1959 < _e1825[2].member_1)));
+                                                    let _e1971 = bitcast<u32>((bitcast<i32>(_e1963) >> bitcast<u32>(1u)));
+                                                    let _e1974 = ((_e1959 >> bitcast<u32>(1u)) | ((_e1963 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                    let _e1975 = (_e1926 + _e1950);
+                                                    let _e1979 = ((_e1923 + _e1947) + select(0u, 1u, (_e1975 < _e1926)));
+                                                    let _e1987 = bitcast<u32>((bitcast<i32>(_e1979) >> bitcast<u32>(1u)));
+                                                    let _e1990 = ((_e1975 >> bitcast<u32>(1u)) | ((_e1979 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                    let _e1991 = (_e1950 + _e1974);
+                                                    let _e1995 = ((_e1947 + _e1971) + select(0u, 1u, (_e1991 < _e1950)));
+                                                    let _e2003 = bitcast<u32>((bitcast<i32>(_e1995) >> bitcast<u32>(1u)));
+                                                    let _e2006 = ((_e1991 >> bitcast<u32>(1u)) | ((_e1995 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                    let _e2007 = (_e1990 + _e2006);
+                                                    let _e2011 = ((_e1987 + _e2003) + select(0u, 1u, (_e2007 < _e1990)));
+                                                    let _e2019 = bitcast<u32>((bitcast<i32>(_e2011) >> bitcast<u32>(1u)));
+                                                    let _e2022 = ((_e2007 >> bitcast<u32>(1u)) | ((_e2011 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                    let _e2023 = (2u * _e1847);
+                                                    let _e2038 = function_1(128u);
+                                                    let _e2043 = ((_e1825[0].member >> bitcast<u32>(31i)) != 0u);
+                                                    let _e2067 = function_1(128u);
+                                                    let _e2072 = ((_e1923 >> bitcast<u32>(31i)) != 0u);
+                                                    let _e2096 = function_1(128u);
+                                                    let _e2101 = ((_e1987 >> bitcast<u32>(31i)) != 0u);
+                                                    let _e2125 = function_1(128u);
+                                                    let _e2130 = ((_e2019 >> bitcast<u32>(31i)) != 0u);
+                                                    let _e2153 = (((select(0u, select(1u, 2u, ((_e1825[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e2038.member - select(_e1825[0].member, (~(_e1825[0].member) + select(0u, 1u, (_e1825[0].member_1 == 0u))), _e2043)) - select(0u, 1u, (_e2038.member_1 < select(_e1825[0].member_1, (~(_e1825[0].member_1) + 1u), _e2043)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e1923 >> bitcast<u32>(31i)) != 0u)), ((((_e2067.member - select(_e1923, (~(_e1923) + select(0u, 1u, (_e1926 == 0u))), _e2072)) - select(0u, 1u, (_e2067.member_1 < select(_e1926, (~(_e1926) + 1u), _e2072)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e1987 >> bitcast<u32>(31i)) != 0u)), ((((_e2096.member - select(_e1987, (~(_e1987) + select(0u, 1u, (_e1990 == 0u))), _e2101)) - select(0u, 1u, (_e2096.member_1 < select(_e1990, (~(_e1990) + 1u), _e2101)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e2019 >> bitcast<u32>(31i)) != 0u)), ((((_e2125.member - select(_e2019, (~(_e2019) + select(0u, 1u, (_e2022 == 0u))), _e2130)) - select(0u, 1u, (_e2125.member_1 < select(_e2022, (~(_e2022) + 1u), _e2130)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
+                                                    if select((_e2153 == 170u), true, (_e2153 == 85u)) {
+                                                        let _e2163 = function_1(128u);
+                                                        let _e2168 = ((_e2019 >> bitcast<u32>(31i)) != 0u);
+                                                        let _e2189 = function_1(128u);
+                                                        let _e2194 = ((_e2003 >> bitcast<u32>(31i)) != 0u);
+                                                        let _e2218 = function_1(128u);
+                                                        let _e2223 = ((_e1971 >> bitcast<u32>(31i)) != 0u);
+                                                        let _e2247 = function_1(128u);
+                                                        let _e2252 = ((_e1825[3].member >> bitcast<u32>(31i)) != 0u);
+                                                        phi_3101_ = (((select(0u, select(1u, 2u, ((_e2019 >> bitcast<u32>(31i)) != 0u)), ((((_e2163.member - select(_e2019, (~(_e2019) + select(0u, 1u, (_e2022 == 0u))), _e2168)) - select(0u, 1u, (_e2163.member_1 < select(_e2022, (~(_e2022) + 1u), _e2168)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e2003 >> bitcast<u32>(31i)) != 0u)), ((((_e2189.member - select(_e2003, (~(_e2003) + select(0u, 1u, (_e2006 == 0u))), _e2194)) - select(0u, 1u, (_e2189.member_1 < select(_e2006, (~(_e2006) + 1u), _e2194)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e1971 >> bitcast<u32>(31i)) != 0u)), ((((_e2218.member - select(_e1971, (~(_e1971) + select(0u, 1u, (_e1974 == 0u))), _e2223)) - select(0u, 1u, (_e2218.member_1 < select(_e1974, (~(_e1974) + 1u), _e2223)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e1825[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e2247.member - select(_e1825[3].member, (~(_e1825[3].member) + select(0u, 1u, (_e1825[3].member_1 == 0u))), _e2252)) - select(0u, 1u, (_e2247.member_1 < select(_e1825[3].member_1, (~(_e1825[3].member_1) + 1u), _e2252)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
+                                                        phi_3102_ = array<type_9, 4>(type_9(_e2019, _e2022), type_9(_e2003, _e2006), type_9(_e1971, _e1974), _e1825[3]);
                                                         phi_3103_ = false;
-                                                        phi_3104_ = (_e2022 + 1u);
+                                                        phi_3104_ = (_e2023 + 1u);
                                                     } else {
-                                                        phi_3101_ = _e2152;
-                                                        phi_3102_ = array<type_9, 4>(_e1824[0], type_9(_e1922, _e1925), type_9(_e1986, _e1989), type_9(_e2018, _e2021));
-                                                        phi_3103_ = _e1826;
-                                                        phi_3104_ = _e2022;
+                                                        phi_3101_ = _e2153;
+                                                        phi_3102_ = array<type_9, 4>(_e1825[0], type_9(_e1923, _e1926), type_9(_e1987, _e1990), type_9(_e2019, _e2022));
+                                                        phi_3103_ = _e1827;
+                                                        phi_3104_ = _e2023;
                                                     }
-                                                    let _e2279 = phi_3101_;
-                                                    let _e2281 = phi_3102_;
-                                                    let _e2283 = phi_3103_;
-                                                    let _e2285 = phi_3104_;
-                                                    phi_3105_ = _e2279;
-                                                    phi_3106_ = _e2281;
-                                                    phi_3107_ = _e2283;
+                                                    let _e2280 = phi_3101_;
+                                                    let _e2282 = phi_3102_;
+                                                    let _e2284 = phi_3103_;
+                                                    let _e2286 = phi_3104_;
+                                                    phi_3105_ = _e2280;
+                                                    phi_3106_ = _e2282;
+                                                    phi_3107_ = _e2284;
                                                     phi_3108_ = false;
-                                                    phi_3109_ = (_e1844 + 1u);
-                                                    phi_3110_ = _e2285;
+                                                    phi_3109_ = (_e1845 + 1u);
+                                                    phi_3110_ = _e2286;
                                                 }
-                                                let _e2287 = phi_3105_;
-                                                let _e2289 = phi_3106_;
-                                                let _e2291 = phi_3107_;
-                                                let _e2293 = phi_3108_;
-                                                let _e2295 = phi_3109_;
-                                                let _e2297 = phi_3110_;
-                                                phi_3111_ = _e2287;
-                                                phi_3112_ = _e2289;
-                                                phi_3113_ = _e2291;
-                                                phi_3114_ = _e2293;
-                                                phi_3115_ = _e2295;
-                                                phi_3116_ = _e2297;
+                                                let _e2288 = phi_3105_;
+                                                let _e2290 = phi_3106_;
+                                                let _e2292 = phi_3107_;
+                                                let _e2294 = phi_3108_;
+                                                let _e2296 = phi_3109_;
+                                                let _e2298 = phi_3110_;
+                                                phi_3111_ = _e2288;
+                                                phi_3112_ = _e2290;
+                                                phi_3113_ = _e2292;
+                                                phi_3114_ = _e2294;
+                                                phi_3115_ = _e2296;
+                                                phi_3116_ = _e2298;
                                             }
-                                            let _e2299 = phi_3111_;
-                                            let _e2301 = phi_3112_;
-                                            let _e2303 = phi_3113_;
-                                            let _e2305 = phi_3114_;
-                                            let _e2307 = phi_3115_;
-                                            let _e2309 = phi_3116_;
-                                            phi_3117_ = _e2299;
-                                            phi_3118_ = _e2301;
-                                            phi_3119_ = _e2303;
-                                            phi_3120_ = _e2305;
-                                            phi_3121_ = _e1901;
-                                            phi_3122_ = _e1889;
-                                            phi_3123_ = _e1876;
-                                            phi_3124_ = _e1865;
-                                            phi_3125_ = _e1856;
-                                            phi_3126_ = _e1852;
-                                            phi_3127_ = (_e1842 + 1u);
-                                            phi_3128_ = _e2307;
-                                            phi_3129_ = _e2309;
+                                            let _e2300 = phi_3111_;
+                                            let _e2302 = phi_3112_;
+                                            let _e2304 = phi_3113_;
+                                            let _e2306 = phi_3114_;
+                                            let _e2308 = phi_3115_;
+                                            let _e2310 = phi_3116_;
+                                            phi_3117_ = _e2300;
+                                            phi_3118_ = _e2302;
+                                            phi_3119_ = _e2304;
+                                            phi_3120_ = _e2306;
+                                            phi_3121_ = _e1902;
+                                            phi_3122_ = _e1890;
+                                            phi_3123_ = _e1877;
+                                            phi_3124_ = _e1866;
+                                            phi_3125_ = _e1857;
+                                            phi_3126_ = _e1853;
+                                            phi_3127_ = (_e1843 + 1u);
+                                            phi_3128_ = _e2308;
+                                            phi_3129_ = _e2310;
                                             phi_3130_ = true;
                                         }
-                                        let _e2311 = phi_3117_;
-                                        let _e2313 = phi_3118_;
-                                        let _e2315 = phi_3119_;
-                                        let _e2317 = phi_3120_;
-                                        let _e2319 = phi_3121_;
-                                        let _e2321 = phi_3122_;
-                                        let _e2323 = phi_3123_;
-                                        let _e2325 = phi_3124_;
-                                        let _e2327 = phi_3125_;
-                                        let _e2329 = phi_3126_;
-                                        let _e2331 = phi_3127_;
-                                        let _e2333 = phi_3128_;
-                                        let _e2335 = phi_3129_;
-                                        let _e2337 = phi_3130_;
-                                        phi_3131_ = _e2311;
-                                        phi_3132_ = _e2313;
-                                        phi_3133_ = _e2315;
-                                        phi_3134_ = _e2317;
-                                        phi_3135_ = _e2319;
-                                        phi_3136_ = _e2321;
-                                        phi_3137_ = _e2323;
-                                        phi_3138_ = _e2325;
-                                        phi_3139_ = _e2327;
-                                        phi_3140_ = _e2329;
-                                        phi_3141_ = _e2331;
-                                        phi_3142_ = _e2333;
-                                        phi_3143_ = _e2335;
-                                        phi_3144_ = _e2337;
+                                        let _e2312 = phi_3117_;
+                                        let _e2314 = phi_3118_;
+                                        let _e2316 = phi_3119_;
+                                        let _e2318 = phi_3120_;
+                                        let _e2320 = phi_3121_;
+                                        let _e2322 = phi_3122_;
+                                        let _e2324 = phi_3123_;
+                                        let _e2326 = phi_3124_;
+                                        let _e2328 = phi_3125_;
+                                        let _e2330 = phi_3126_;
+                                        let _e2332 = phi_3127_;
+                                        let _e2334 = phi_3128_;
+                                        let _e2336 = phi_3129_;
+                                        let _e2338 = phi_3130_;
+                                        phi_3131_ = _e2312;
+                                        phi_3132_ = _e2314;
+                                        phi_3133_ = _e2316;
+                                        phi_3134_ = _e2318;
+                                        phi_3135_ = _e2320;
+                                        phi_3136_ = _e2322;
+                                        phi_3137_ = _e2324;
+                                        phi_3138_ = _e2326;
+                                        phi_3139_ = _e2328;
+                                        phi_3140_ = _e2330;
+                                        phi_3141_ = _e2332;
+                                        phi_3142_ = _e2334;
+                                        phi_3143_ = _e2336;
+                                        phi_3144_ = _e2338;
                                     }
-                                    let _e2339 = phi_3131_;
-                                    let _e2341 = phi_3132_;
-                                    let _e2343 = phi_3133_;
-                                    let _e2345 = phi_3134_;
-                                    let _e2347 = phi_3135_;
-                                    let _e2349 = phi_3136_;
-                                    let _e2351 = phi_3137_;
-                                    let _e2353 = phi_3138_;
-                                    let _e2355 = phi_3139_;
-                                    let _e2357 = phi_3140_;
-                                    let _e2359 = phi_3141_;
-                                    let _e2361 = phi_3142_;
-                                    let _e2363 = phi_3143_;
-                                    let _e2365 = phi_3144_;
-                                    phi_2428_ = _e2339;
-                                    phi_2431_ = _e2341;
-                                    phi_2433_ = _e2343;
-                                    phi_2435_ = _e2345;
-                                    phi_2437_ = _e2347;
-                                    phi_2439_ = _e2349;
-                                    phi_2441_ = _e2351;
-                                    phi_2443_ = _e2353;
-                                    phi_2445_ = _e2355;
-                                    phi_2447_ = _e2357;
-                                    phi_2449_ = _e2359;
-                                    phi_2451_ = _e2361;
-                                    phi_2453_ = _e2363;
-                                    phi_3145_ = _e2365;
+                                    let _e2340 = phi_3131_;
+                                    let _e2342 = phi_3132_;
+                                    let _e2344 = phi_3133_;
+                                    let _e2346 = phi_3134_;
+                                    let _e2348 = phi_3135_;
+                                    let _e2350 = phi_3136_;
+                                    let _e2352 = phi_3137_;
+                                    let _e2354 = phi_3138_;
+                                    let _e2356 = phi_3139_;
+                                    let _e2358 = phi_3140_;
+                                    let _e2360 = phi_3141_;
+                                    let _e2362 = phi_3142_;
+                                    let _e2364 = phi_3143_;
+                                    let _e2366 = phi_3144_;
+                                    phi_2428_ = _e2340;
+                                    phi_2431_ = _e2342;
+                                    phi_2433_ = _e2344;
+                                    phi_2435_ = _e2346;
+                                    phi_2437_ = _e2348;
+                                    phi_2439_ = _e2350;
+                                    phi_2441_ = _e2352;
+                                    phi_2443_ = _e2354;
+                                    phi_2445_ = _e2356;
+                                    phi_2447_ = _e2358;
+                                    phi_2449_ = _e2360;
+                                    phi_2451_ = _e2362;
+                                    phi_2453_ = _e2364;
+                                    phi_3145_ = _e2366;
                                 } else {
                                     phi_2428_ = u32();
                                     phi_2431_ = array<type_9, 4>();
@@ -1372,51 +1372,51 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_2453_ = u32();
                                     phi_3145_ = false;
                                 }
-                                let _e2367 = phi_2428_;
-                                let _e2369 = phi_2431_;
-                                let _e2371 = phi_2433_;
-                                let _e2373 = phi_2435_;
-                                let _e2375 = phi_2437_;
-                                let _e2377 = phi_2439_;
-                                let _e2379 = phi_2441_;
-                                let _e2381 = phi_2443_;
-                                let _e2383 = phi_2445_;
-                                let _e2385 = phi_2447_;
-                                let _e2387 = phi_2449_;
-                                let _e2389 = phi_2451_;
-                                let _e2391 = phi_2453_;
-                                let _e2393 = phi_3145_;
+                                let _e2368 = phi_2428_;
+                                let _e2370 = phi_2431_;
+                                let _e2372 = phi_2433_;
+                                let _e2374 = phi_2435_;
+                                let _e2376 = phi_2437_;
+                                let _e2378 = phi_2439_;
+                                let _e2380 = phi_2441_;
+                                let _e2382 = phi_2443_;
+                                let _e2384 = phi_2445_;
+                                let _e2386 = phi_2447_;
+                                let _e2388 = phi_2449_;
+                                let _e2390 = phi_2451_;
+                                let _e2392 = phi_2453_;
+                                let _e2394 = phi_3145_;
                                 continue;
                                 continuing {
-                                    phi_2427_ = _e2367;
-                                    phi_2430_ = _e2369;
-                                    phi_2432_ = _e2371;
-                                    phi_2434_ = _e2373;
-                                    phi_2436_ = _e2375;
-                                    phi_2438_ = _e2377;
-                                    phi_2440_ = _e2379;
-                                    phi_2442_ = _e2381;
-                                    phi_2444_ = _e2383;
-                                    phi_2446_ = _e2385;
-                                    phi_2448_ = _e2387;
-                                    phi_2450_ = _e2389;
-                                    phi_2452_ = _e2391;
-                                    break if !(_e2393);
+                                    phi_2427_ = _e2368;
+                                    phi_2430_ = _e2370;
+                                    phi_2432_ = _e2372;
+                                    phi_2434_ = _e2374;
+                                    phi_2436_ = _e2376;
+                                    phi_2438_ = _e2378;
+                                    phi_2440_ = _e2380;
+                                    phi_2442_ = _e2382;
+                                    phi_2444_ = _e2384;
+                                    phi_2446_ = _e2386;
+                                    phi_2448_ = _e2388;
+                                    phi_2450_ = _e2390;
+                                    phi_2452_ = _e2392;
+                                    break if !(_e2394);
                                 }
                             }
-                            let _e2396 = local_38;
-                            if _e2396 {
-                                let _e2398 = local_39;
-                                if _e2398 {
-                                    phi_5081_ = _e1801;
-                                    phi_5082_ = _e1803;
-                                    let _e4855 = local_109;
-                                    phi_5083_ = _e4855;
-                                    let _e4858 = local_110;
-                                    phi_5084_ = _e4858;
-                                    phi_5085_ = _e1809;
-                                    let _e4862 = local_111;
-                                    phi_5086_ = _e4862;
+                            let _e2397 = local_38;
+                            if _e2397 {
+                                let _e2399 = local_39;
+                                if _e2399 {
+                                    phi_5081_ = _e1802;
+                                    phi_5082_ = _e1804;
+                                    let _e4857 = local_109;
+                                    phi_5083_ = _e4857;
+                                    let _e4860 = local_110;
+                                    phi_5084_ = _e4860;
+                                    phi_5085_ = _e1810;
+                                    let _e4864 = local_111;
+                                    phi_5086_ = _e4864;
                                     phi_5087_ = bool();
                                     phi_5088_ = type_17();
                                     phi_5089_ = true;
@@ -1424,551 +1424,551 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_5091_ = false;
                                     phi_5092_ = false;
                                 } else {
-                                    let _e2400 = local_40;
-                                    let _e2401 = (_e2400 == 31u);
-                                    let _e2403 = local_41;
-                                    let _e2410 = local_42;
-                                    let _e2412 = local_43;
-                                    let _e2414 = local_44;
-                                    let _e2415 = type_17(_e2410, _e2412, _e2414);
-                                    let _e2417 = local_45;
-                                    let _e2420 = local_46;
-                                    let _e2424 = (((_e2417 & 3u) | (_e2420 >> bitcast<u32>(6i))) == 3u);
-                                    let _e2426 = local_47;
-                                    let _e2429 = local_48;
-                                    let _e2433 = local_49;
-                                    let _e2434 = select(select(select(false, (_e2426 < _e1668), _e2429), true, _e1801), false, _e2433);
-                                    let _e2436 = local_50;
-                                    let _e2437 = (_e2436 == 31u);
-                                    let _e2439 = local_51;
-                                    let _e2448 = local_52;
-                                    let _e2451 = local_53;
-                                    let _e2453 = select(select(select(select(bool(), select(((_e2439 & 3u) != 0u), bool(), _e2424), _e2437), bool(), _e2434), bool(), _e2448), false, select(select(select(true, _e2424, _e2437), true, _e2434), true, _e2451));
-                                    let _e2455 = local_54;
-                                    let _e2458 = local_55;
-                                    if _e2458 {
-                                        let _e2636 = local_70;
-                                        let _e2639 = local_71;
-                                        phi_3406_ = _e1803;
-                                        phi_3407_ = type_17(_e2639, (_e2636 + 1u), 31u);
-                                        phi_3408_ = _e1809;
+                                    let _e2401 = local_40;
+                                    let _e2402 = (_e2401 == 31u);
+                                    let _e2404 = local_41;
+                                    let _e2411 = local_42;
+                                    let _e2413 = local_43;
+                                    let _e2415 = local_44;
+                                    let _e2416 = type_17(_e2411, _e2413, _e2415);
+                                    let _e2418 = local_45;
+                                    let _e2421 = local_46;
+                                    let _e2425 = (((_e2418 & 3u) | (_e2421 >> bitcast<u32>(6i))) == 3u);
+                                    let _e2427 = local_47;
+                                    let _e2430 = local_48;
+                                    let _e2434 = local_49;
+                                    let _e2435 = select(select(select(false, (_e2427 < _e1669), _e2430), true, _e1802), false, _e2434);
+                                    let _e2437 = local_50;
+                                    let _e2438 = (_e2437 == 31u);
+                                    let _e2440 = local_51;
+                                    let _e2449 = local_52;
+                                    let _e2452 = local_53;
+                                    let _e2454 = select(select(select(select(bool(), select(((_e2440 & 3u) != 0u), bool(), _e2425), _e2438), bool(), _e2435), bool(), _e2449), false, select(select(select(true, _e2425, _e2438), true, _e2435), true, _e2452));
+                                    let _e2456 = local_54;
+                                    let _e2459 = local_55;
+                                    if _e2459 {
+                                        let _e2637 = local_70;
+                                        let _e2640 = local_71;
+                                        phi_3406_ = _e1804;
+                                        phi_3407_ = type_17(_e2640, (_e2637 + 1u), 31u);
+                                        phi_3408_ = _e1810;
                                     } else {
-                                        if _e2434 {
-                                            let _e2476 = select(_e1668, 31u, _e1801);
-                                            let _e2479 = local_58;
-                                            let _e2480 = select(_e2479, _e1809.member, _e1801);
-                                            let _e2483 = local_59;
-                                            let _e2484 = select(_e2483, _e1809.member_1, _e1801);
-                                            let _e2486 = local_60;
-                                            let _e2490 = local_61;
-                                            let _e2497 = ((f32(bitcast<i32>(_e2486[0].member)) * 4294967300f) + f32(_e2490[0].member_1));
-                                            let _e2499 = local_62;
-                                            let _e2503 = local_63;
-                                            let _e2510 = ((f32(bitcast<i32>(_e2499[1].member)) * 4294967300f) + f32(_e2503[1].member_1));
-                                            let _e2512 = local_64;
-                                            let _e2516 = local_65;
-                                            let _e2523 = ((f32(bitcast<i32>(_e2512[2].member)) * 4294967300f) + f32(_e2516[2].member_1));
-                                            let _e2525 = local_66;
-                                            let _e2529 = local_67;
-                                            let _e2536 = ((f32(bitcast<i32>(_e2525[3].member)) * 4294967300f) + f32(_e2529[3].member_1));
+                                        if _e2435 {
+                                            let _e2477 = select(_e1669, 31u, _e1802);
+                                            let _e2480 = local_58;
+                                            let _e2481 = select(_e2480, _e1810.member, _e1802);
+                                            let _e2484 = local_59;
+                                            let _e2485 = select(_e2484, _e1810.member_1, _e1802);
+                                            let _e2487 = local_60;
+                                            let _e2491 = local_61;
+                                            let _e2498 = ((f32(bitcast<i32>(_e2487[0].member)) * 4294967300f) + f32(_e2491[0].member_1));
+                                            let _e2500 = local_62;
+                                            let _e2504 = local_63;
+                                            let _e2511 = ((f32(bitcast<i32>(_e2500[1].member)) * 4294967300f) + f32(_e2504[1].member_1));
+                                            let _e2513 = local_64;
+                                            let _e2517 = local_65;
+                                            let _e2524 = ((f32(bitcast<i32>(_e2513[2].member)) * 4294967300f) + f32(_e2517[2].member_1));
+                                            let _e2526 = local_66;
+                                            let _e2530 = local_67;
+                                            let _e2537 = ((f32(bitcast<i32>(_e2526[3].member)) * 4294967300f) + f32(_e2530[3].member_1));
                                             phi_3257_ = type_14(0i, 6i);
                                             phi_3260_ = 1f;
                                             phi_3262_ = 0f;
-                                            phi_3264_ = (_e2497 / (_e2497 - _e2536));
+                                            phi_3264_ = (_e2498 / (_e2498 - _e2537));
                                             loop {
-                                                let _e2540 = phi_3257_;
-                                                let _e2542 = phi_3260_;
-                                                let _e2544 = phi_3262_;
-                                                let _e2546 = phi_3264_;
-                                                local_68 = _e2546;
-                                                local_69 = _e2546;
-                                                if (_e2540.member < _e2540.member_1) {
-                                                    let _e2553 = (_e2540.member + 1i);
-                                                    phi_3258_ = type_14(select(_e2553, type_15().member_1, select(false, true, ((false == (_e2553 > _e2540.member)) != false))), _e2540.member_1);
-                                                    phi_3305_ = type_15(1u, _e2540.member);
+                                                let _e2541 = phi_3257_;
+                                                let _e2543 = phi_3260_;
+                                                let _e2545 = phi_3262_;
+                                                let _e2547 = phi_3264_;
+                                                local_68 = _e2547;
+                                                local_69 = _e2547;
+                                                if (_e2541.member < _e2541.member_1) {
+                                                    let _e2554 = (_e2541.member + 1i);
+                                                    phi_3258_ = type_14(select(_e2554, type_15().member_1, select(false, true, ((false == (_e2554 > _e2541.member)) != false))), _e2541.member_1);
+                                                    phi_3305_ = type_15(1u, _e2541.member);
                                                 } else {
-                                                    phi_3258_ = _e2540;
+                                                    phi_3258_ = _e2541;
                                                     phi_3305_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e2564 = phi_3258_;
-                                                let _e2566 = phi_3305_;
-                                                let _e2569 = (bitcast<i32>(_e2566.member) != 0i);
-                                                if _e2569 {
-                                                    let _e2570 = function_5(_e2497, _e2510, _e2546);
-                                                    let _e2571 = function_5(_e2510, _e2523, _e2546);
-                                                    let _e2572 = function_5(_e2523, _e2536, _e2546);
-                                                    let _e2573 = function_5(_e2570, _e2571, _e2546);
-                                                    let _e2574 = function_5(_e2571, _e2572, _e2546);
-                                                    let _e2575 = function_5(_e2573, _e2574, _e2546);
-                                                    let _e2578 = ((_e2575 < 0f) == (_e2497 < 0f));
-                                                    let _e2579 = select(_e2546, _e2542, _e2578);
-                                                    let _e2580 = select(_e2544, _e2546, _e2578);
-                                                    let _e2584 = (_e2546 - (_e2575 / (3f * (_e2574 - _e2573))));
-                                                    phi_3261_ = _e2579;
-                                                    phi_3263_ = _e2580;
-                                                    phi_3265_ = select(_e2584, (0.5f * (_e2580 + _e2579)), select(true, select(true, false, (_e2584 <= _e2579)), (_e2584 >= _e2580)));
+                                                let _e2565 = phi_3258_;
+                                                let _e2567 = phi_3305_;
+                                                let _e2570 = (bitcast<i32>(_e2567.member) != 0i);
+                                                if _e2570 {
+                                                    let _e2571 = function_5(_e2498, _e2511, _e2547);
+                                                    let _e2572 = function_5(_e2511, _e2524, _e2547);
+                                                    let _e2573 = function_5(_e2524, _e2537, _e2547);
+                                                    let _e2574 = function_5(_e2571, _e2572, _e2547);
+                                                    let _e2575 = function_5(_e2572, _e2573, _e2547);
+                                                    let _e2576 = function_5(_e2574, _e2575, _e2547);
+                                                    let _e2579 = ((_e2576 < 0f) == (_e2498 < 0f));
+                                                    let _e2580 = select(_e2547, _e2543, _e2579);
+                                                    let _e2581 = select(_e2545, _e2547, _e2579);
+                                                    let _e2585 = (_e2547 - (_e2576 / (3f * (_e2575 - _e2574))));
+                                                    phi_3261_ = _e2580;
+                                                    phi_3263_ = _e2581;
+                                                    phi_3265_ = select(_e2585, (0.5f * (_e2581 + _e2580)), select(true, select(true, false, (_e2585 <= _e2580)), (_e2585 >= _e2581)));
                                                 } else {
                                                     phi_3261_ = f32();
                                                     phi_3263_ = f32();
                                                     phi_3265_ = f32();
                                                 }
-                                                let _e2593 = phi_3261_;
-                                                let _e2595 = phi_3263_;
-                                                let _e2597 = phi_3265_;
+                                                let _e2594 = phi_3261_;
+                                                let _e2596 = phi_3263_;
+                                                let _e2598 = phi_3265_;
                                                 continue;
                                                 continuing {
-                                                    phi_3257_ = _e2564;
-                                                    phi_3260_ = _e2593;
-                                                    phi_3262_ = _e2595;
-                                                    phi_3264_ = _e2597;
-                                                    break if !(_e2569);
+                                                    phi_3257_ = _e2565;
+                                                    phi_3260_ = _e2594;
+                                                    phi_3262_ = _e2596;
+                                                    phi_3264_ = _e2598;
+                                                    break if !(_e2570);
                                                 }
                                             }
-                                            let _e2602 = (1u << bitcast<u32>(((31u - _e2476) & 31u)));
-                                            let _e2603 = (_e2484 - _e2480);
-                                            let _e2605 = local_68;
-                                            let _e2609 = local_69;
-                                            let _e2612 = (select(0.5f, _e2609, (bitcast<u32>(_e2605) <= 1065353216u)) * f32(_e2603));
-                                            let _e2617 = select(select(u32(_e2612), 0u, (_e2612 < 0f)), 4294967295u, (_e2612 > 4294967000f));
-                                            let _e2619 = select(_e2617, _e2603, (_e2603 < _e2617));
-                                            let _e2621 = (_e2602 / 2u);
-                                            let _e2624 = ((_e2480 + _e2619) - select(_e2621, _e2619, (_e2619 < _e2621)));
-                                            let _e2625 = (_e2624 + _e2602);
+                                            let _e2603 = (1u << bitcast<u32>(((31u - _e2477) & 31u)));
+                                            let _e2604 = (_e2485 - _e2481);
+                                            let _e2606 = local_68;
+                                            let _e2610 = local_69;
+                                            let _e2613 = (select(0.5f, _e2610, (bitcast<u32>(_e2606) <= 1065353216u)) * f32(_e2604));
+                                            let _e2618 = select(select(u32(_e2613), 0u, (_e2613 < 0f)), 4294967295u, (_e2613 > 4294967000f));
+                                            let _e2620 = select(_e2618, _e2604, (_e2604 < _e2618));
+                                            let _e2622 = (_e2603 / 2u);
+                                            let _e2625 = ((_e2481 + _e2620) - select(_e2622, _e2620, (_e2620 < _e2622)));
+                                            let _e2626 = (_e2625 + _e2603);
                                             phi_3403_ = true;
-                                            phi_3404_ = _e2415;
-                                            phi_3405_ = type_17(_e2624, select(_e2625, _e2484, (_e2484 < _e2625)), _e2476);
+                                            phi_3404_ = _e2416;
+                                            phi_3405_ = type_17(_e2625, select(_e2626, _e2485, (_e2485 < _e2626)), _e2477);
                                         } else {
-                                            if _e2453 {
-                                                let _e2463 = select((bitcast<u32>(31i) - firstLeadingBit(_e713)), 32u, (_e713 == 0u));
-                                                let _e2469 = local_56;
-                                                let _e2472 = local_57;
-                                                phi_3402_ = type_17(_e2472, (_e2469 + (1u << bitcast<u32>(((31u - _e2463) & 31u)))), _e2463);
+                                            if _e2454 {
+                                                let _e2464 = select((bitcast<u32>(31i) - firstLeadingBit(_e714)), 32u, (_e714 == 0u));
+                                                let _e2470 = local_56;
+                                                let _e2473 = local_57;
+                                                phi_3402_ = type_17(_e2473, (_e2470 + (1u << bitcast<u32>(((31u - _e2464) & 31u)))), _e2464);
                                             } else {
-                                                phi_3402_ = _e2415;
+                                                phi_3402_ = _e2416;
                                             }
-                                            let _e2475 = phi_3402_;
-                                            phi_3403_ = _e1803;
-                                            phi_3404_ = _e2475;
-                                            phi_3405_ = _e1809;
+                                            let _e2476 = phi_3402_;
+                                            phi_3403_ = _e1804;
+                                            phi_3404_ = _e2476;
+                                            phi_3405_ = _e1810;
                                         }
-                                        let _e2630 = phi_3403_;
-                                        let _e2632 = phi_3404_;
-                                        let _e2634 = phi_3405_;
-                                        phi_3406_ = _e2630;
-                                        phi_3407_ = _e2632;
-                                        phi_3408_ = _e2634;
+                                        let _e2631 = phi_3403_;
+                                        let _e2633 = phi_3404_;
+                                        let _e2635 = phi_3405_;
+                                        phi_3406_ = _e2631;
+                                        phi_3407_ = _e2633;
+                                        phi_3408_ = _e2635;
                                     }
-                                    let _e2642 = phi_3406_;
-                                    let _e2644 = phi_3407_;
-                                    let _e2646 = phi_3408_;
-                                    if select(select(false, (_e2644.member_1 <= 2147483648u), _e2453), true, _e2434) {
-                                        let _e2656 = local_72;
+                                    let _e2643 = phi_3406_;
+                                    let _e2645 = phi_3407_;
+                                    let _e2647 = phi_3408_;
+                                    if select(select(false, (_e2645.member_1 <= 2147483648u), _e2454), true, _e2435) {
+                                        let _e2657 = local_72;
                                         phi_3438_ = type_14(0i, 2i);
-                                        phi_3441_ = select((_e2656 & 3u), 0u, _e2434);
-                                        phi_3443_ = select(_e2644.member_1, _e2646.member, _e2434);
+                                        phi_3441_ = select((_e2657 & 3u), 0u, _e2435);
+                                        phi_3443_ = select(_e2645.member_1, _e2647.member, _e2435);
                                         loop {
-                                            let _e2662 = phi_3438_;
-                                            let _e2664 = phi_3441_;
-                                            let _e2666 = phi_3443_;
-                                            local_73 = _e2664;
-                                            if (_e2662.member < _e2662.member_1) {
-                                                let _e2673 = (_e2662.member + 1i);
-                                                phi_3439_ = type_14(select(_e2673, type_15().member_1, select(false, true, ((false == (_e2673 > _e2662.member)) != false))), _e2662.member_1);
-                                                phi_3483_ = type_15(1u, _e2662.member);
+                                            let _e2663 = phi_3438_;
+                                            let _e2665 = phi_3441_;
+                                            let _e2667 = phi_3443_;
+                                            local_73 = _e2665;
+                                            if (_e2663.member < _e2663.member_1) {
+                                                let _e2674 = (_e2663.member + 1i);
+                                                phi_3439_ = type_14(select(_e2674, type_15().member_1, select(false, true, ((false == (_e2674 > _e2663.member)) != false))), _e2663.member_1);
+                                                phi_3483_ = type_15(1u, _e2663.member);
                                             } else {
-                                                phi_3439_ = _e2662;
+                                                phi_3439_ = _e2663;
                                                 phi_3483_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e2684 = phi_3439_;
-                                            let _e2686 = phi_3483_;
-                                            let _e2689 = (bitcast<i32>(_e2686.member) != 0i);
-                                            if _e2689 {
-                                                let _e2695 = function_4(((_e1629[1].member - _e1625.member) - select(0u, 1u, (_e1633[1].member_1 < _e1625.member_1))), (_e1633[1].member_1 - _e1625.member_1), _e2666);
-                                                let _e2698 = (_e1625.member_1 + _e2695.member_1);
-                                                let _e2702 = ((_e1625.member + _e2695.member) + select(0u, 1u, (_e2698 < _e1625.member_1)));
-                                                let _e2708 = function_4(((_e1637[2].member - _e1629[1].member) - select(0u, 1u, (_e1641[2].member_1 < _e1633[1].member_1))), (_e1641[2].member_1 - _e1633[1].member_1), _e2666);
-                                                let _e2711 = (_e1633[1].member_1 + _e2708.member_1);
-                                                let _e2715 = ((_e1629[1].member + _e2708.member) + select(0u, 1u, (_e2711 < _e1633[1].member_1)));
-                                                let _e2721 = function_4(((_e1652.member - _e1637[2].member) - select(0u, 1u, (_e1652.member_1 < _e1641[2].member_1))), (_e1652.member_1 - _e1641[2].member_1), _e2666);
-                                                let _e2724 = (_e1641[2].member_1 + _e2721.member_1);
-                                                let _e2734 = function_4(((_e2715 - _e2702) - select(0u, 1u, (_e2711 < _e2698))), (_e2711 - _e2698), _e2666);
-                                                let _e2737 = (_e2698 + _e2734.member_1);
-                                                let _e2741 = ((_e2702 + _e2734.member) + select(0u, 1u, (_e2737 < _e2698)));
-                                                let _e2747 = function_4(((((_e1637[2].member + _e2721.member) + select(0u, 1u, (_e2724 < _e1641[2].member_1))) - _e2715) - select(0u, 1u, (_e2724 < _e2711))), (_e2724 - _e2711), _e2666);
-                                                let _e2750 = (_e2711 + _e2747.member_1);
-                                                let _e2760 = function_4(((((_e2715 + _e2747.member) + select(0u, 1u, (_e2750 < _e2711))) - _e2741) - select(0u, 1u, (_e2750 < _e2737))), (_e2750 - _e2737), _e2666);
-                                                let _e2763 = (_e2737 + _e2760.member_1);
-                                                let _e2767 = ((_e2741 + _e2760.member) + select(0u, 1u, (_e2763 < _e2737)));
-                                                let _e2768 = function_1(128u);
-                                                let _e2773 = ((_e2767 >> bitcast<u32>(31i)) != 0u);
-                                                phi_3442_ = (_e2664 | select(0u, select(1u, 2u, ((_e2767 >> bitcast<u32>(31i)) != 0u)), ((((_e2768.member - select(_e2767, (~(_e2767) + select(0u, 1u, (_e2763 == 0u))), _e2773)) - select(0u, 1u, (_e2768.member_1 < select(_e2763, (~(_e2763) + 1u), _e2773)))) >> bitcast<u32>(31i)) != 0u)));
+                                            let _e2685 = phi_3439_;
+                                            let _e2687 = phi_3483_;
+                                            let _e2690 = (bitcast<i32>(_e2687.member) != 0i);
+                                            if _e2690 {
+                                                let _e2696 = function_4(((_e1630[1].member - _e1626.member) - select(0u, 1u, (_e1634[1].member_1 < _e1626.member_1))), (_e1634[1].member_1 - _e1626.member_1), _e2667);
+                                                let _e2699 = (_e1626.member_1 + _e2696.member_1);
+                                                let _e2703 = ((_e1626.member + _e2696.member) + select(0u, 1u, (_e2699 < _e1626.member_1)));
+                                                let _e2709 = function_4(((_e1638[2].member - _e1630[1].member) - select(0u, 1u, (_e1642[2].member_1 < _e1634[1].member_1))), (_e1642[2].member_1 - _e1634[1].member_1), _e2667);
+                                                let _e2712 = (_e1634[1].member_1 + _e2709.member_1);
+                                                let _e2716 = ((_e1630[1].member + _e2709.member) + select(0u, 1u, (_e2712 < _e1634[1].member_1)));
+                                                let _e2722 = function_4(((_e1653.member - _e1638[2].member) - select(0u, 1u, (_e1653.member_1 < _e1642[2].member_1))), (_e1653.member_1 - _e1642[2].member_1), _e2667);
+                                                let _e2725 = (_e1642[2].member_1 + _e2722.member_1);
+                                                let _e2735 = function_4(((_e2716 - _e2703) - select(0u, 1u, (_e2712 < _e2699))), (_e2712 - _e2699), _e2667);
+                                                let _e2738 = (_e2699 + _e2735.member_1);
+                                                let _e2742 = ((_e2703 + _e2735.member) + select(0u, 1u, (_e2738 < _e2699)));
+                                                let _e2748 = function_4(((((_e1638[2].member + _e2722.member) + select(0u, 1u, (_e2725 < _e1642[2].member_1))) - _e2716) - select(0u, 1u, (_e2725 < _e2712))), (_e2725 - _e2712), _e2667);
+                                                let _e2751 = (_e2712 + _e2748.member_1);
+                                                let _e2761 = function_4(((((_e2716 + _e2748.member) + select(0u, 1u, (_e2751 < _e2712))) - _e2742) - select(0u, 1u, (_e2751 < _e2738))), (_e2751 - _e2738), _e2667);
+                                                let _e2764 = (_e2738 + _e2761.member_1);
+                                                let _e2768 = ((_e2742 + _e2761.member) + select(0u, 1u, (_e2764 < _e2738)));
+                                                let _e2769 = function_1(128u);
+                                                let _e2774 = ((_e2768 >> bitcast<u32>(31i)) != 0u);
+                                                phi_3442_ = (_e2665 | select(0u, select(1u, 2u, ((_e2768 >> bitcast<u32>(31i)) != 0u)), ((((_e2769.member - select(_e2768, (~(_e2768) + select(0u, 1u, (_e2764 == 0u))), _e2774)) - select(0u, 1u, (_e2769.member_1 < select(_e2764, (~(_e2764) + 1u), _e2774)))) >> bitcast<u32>(31i)) != 0u)));
                                             } else {
                                                 phi_3442_ = u32();
                                             }
-                                            let _e2796 = phi_3442_;
+                                            let _e2797 = phi_3442_;
                                             continue;
                                             continuing {
-                                                phi_3438_ = _e2684;
-                                                phi_3441_ = _e2796;
-                                                phi_3443_ = select(_e2644.member_1, _e2646.member_1, _e2434);
-                                                break if !(_e2689);
+                                                phi_3438_ = _e2685;
+                                                phi_3441_ = _e2797;
+                                                phi_3443_ = select(_e2645.member_1, _e2647.member_1, _e2435);
+                                                break if !(_e2690);
                                             }
                                         }
-                                        let _e2799 = local_73;
-                                        phi_3659_ = (_e2799 == 3u);
+                                        let _e2800 = local_73;
+                                        phi_3659_ = (_e2800 == 3u);
                                     } else {
-                                        phi_3659_ = _e2424;
+                                        phi_3659_ = _e2425;
                                     }
-                                    let _e2802 = phi_3659_;
-                                    if _e2434 {
-                                        phi_3667_ = _e2802;
-                                        phi_3668_ = type_17(select(_e2644.member, _e2646.member, _e2802), select(_e2644.member_1, _e2646.member_1, _e2802), select(_e2644.member_2, _e2646.member_2, _e2802));
+                                    let _e2803 = phi_3659_;
+                                    if _e2435 {
+                                        phi_3667_ = _e2803;
+                                        phi_3668_ = type_17(select(_e2645.member, _e2647.member, _e2803), select(_e2645.member_1, _e2647.member_1, _e2803), select(_e2645.member_2, _e2647.member_2, _e2803));
                                     } else {
-                                        phi_3667_ = _e1801;
-                                        phi_3668_ = _e2644;
+                                        phi_3667_ = _e1802;
+                                        phi_3668_ = _e2645;
                                     }
-                                    let _e2814 = phi_3667_;
-                                    let _e2816 = phi_3668_;
-                                    let _e2820 = (f32(_e2816.member) / 2147483600f);
-                                    let _e2841 = ((f32(bitcast<i32>(_e1336[1][0][0].member)) * 4294967300f) + f32(_e1336[1][0][0].member_1));
-                                    let _e2849 = (_e2841 + ((((f32(bitcast<i32>(_e1336[1][1][0].member)) * 4294967300f) + f32(_e1336[1][1][0].member_1)) - _e2841) * _e2820));
-                                    let _e2870 = ((f32(bitcast<i32>(_e1336[1][0][1].member)) * 4294967300f) + f32(_e1336[1][0][1].member_1));
-                                    let _e2878 = (_e2870 + ((((f32(bitcast<i32>(_e1336[1][1][1].member)) * 4294967300f) + f32(_e1336[1][1][1].member_1)) - _e2870) * _e2820));
-                                    let _e2899 = ((f32(bitcast<i32>(_e1336[1][0][2].member)) * 4294967300f) + f32(_e1336[1][0][2].member_1));
-                                    let _e2907 = (_e2899 + ((((f32(bitcast<i32>(_e1336[1][1][2].member)) * 4294967300f) + f32(_e1336[1][1][2].member_1)) - _e2899) * _e2820));
-                                    let _e2928 = ((f32(bitcast<i32>(_e1336[2][0][0].member)) * 4294967300f) + f32(_e1336[2][0][0].member_1));
-                                    let _e2936 = (_e2928 + ((((f32(bitcast<i32>(_e1336[2][1][0].member)) * 4294967300f) + f32(_e1336[2][1][0].member_1)) - _e2928) * _e2820));
-                                    let _e2957 = ((f32(bitcast<i32>(_e1336[2][0][1].member)) * 4294967300f) + f32(_e1336[2][0][1].member_1));
-                                    let _e2965 = (_e2957 + ((((f32(bitcast<i32>(_e1336[2][1][1].member)) * 4294967300f) + f32(_e1336[2][1][1].member_1)) - _e2957) * _e2820));
-                                    let _e2986 = ((f32(bitcast<i32>(_e1336[2][0][2].member)) * 4294967300f) + f32(_e1336[2][0][2].member_1));
-                                    let _e2994 = (_e2986 + ((((f32(bitcast<i32>(_e1336[2][1][2].member)) * 4294967300f) + f32(_e1336[2][1][2].member_1)) - _e2986) * _e2820));
-                                    let _e3004 = abs(((_e2878 * _e2994) - (_e2907 * _e2965)));
-                                    let _e3005 = abs(((_e2907 * _e2936) - (_e2849 * _e2994)));
-                                    let _e3006 = abs(((_e2849 * _e2965) - (_e2878 * _e2936)));
-                                    let _e3013 = select(0u, select(2u, 1u, (_e3005 > _e3006)), select(true, select(true, false, (_e3004 > _e3006)), (_e3004 > _e3005)));
-                                    if (_e3013 == 0u) {
-                                        phi_3892_ = array<type_9, 2>(_e1336[0][0][1], _e1336[0][0][2]);
+                                    let _e2815 = phi_3667_;
+                                    let _e2817 = phi_3668_;
+                                    let _e2821 = (f32(_e2817.member) / 2147483600f);
+                                    let _e2842 = ((f32(bitcast<i32>(_e1337[1][0][0].member)) * 4294967300f) + f32(_e1337[1][0][0].member_1));
+                                    let _e2850 = (_e2842 + ((((f32(bitcast<i32>(_e1337[1][1][0].member)) * 4294967300f) + f32(_e1337[1][1][0].member_1)) - _e2842) * _e2821));
+                                    let _e2871 = ((f32(bitcast<i32>(_e1337[1][0][1].member)) * 4294967300f) + f32(_e1337[1][0][1].member_1));
+                                    let _e2879 = (_e2871 + ((((f32(bitcast<i32>(_e1337[1][1][1].member)) * 4294967300f) + f32(_e1337[1][1][1].member_1)) - _e2871) * _e2821));
+                                    let _e2900 = ((f32(bitcast<i32>(_e1337[1][0][2].member)) * 4294967300f) + f32(_e1337[1][0][2].member_1));
+                                    let _e2908 = (_e2900 + ((((f32(bitcast<i32>(_e1337[1][1][2].member)) * 4294967300f) + f32(_e1337[1][1][2].member_1)) - _e2900) * _e2821));
+                                    let _e2929 = ((f32(bitcast<i32>(_e1337[2][0][0].member)) * 4294967300f) + f32(_e1337[2][0][0].member_1));
+                                    let _e2937 = (_e2929 + ((((f32(bitcast<i32>(_e1337[2][1][0].member)) * 4294967300f) + f32(_e1337[2][1][0].member_1)) - _e2929) * _e2821));
+                                    let _e2958 = ((f32(bitcast<i32>(_e1337[2][0][1].member)) * 4294967300f) + f32(_e1337[2][0][1].member_1));
+                                    let _e2966 = (_e2958 + ((((f32(bitcast<i32>(_e1337[2][1][1].member)) * 4294967300f) + f32(_e1337[2][1][1].member_1)) - _e2958) * _e2821));
+                                    let _e2987 = ((f32(bitcast<i32>(_e1337[2][0][2].member)) * 4294967300f) + f32(_e1337[2][0][2].member_1));
+                                    let _e2995 = (_e2987 + ((((f32(bitcast<i32>(_e1337[2][1][2].member)) * 4294967300f) + f32(_e1337[2][1][2].member_1)) - _e2987) * _e2821));
+                                    let _e3005 = abs(((_e2879 * _e2995) - (_e2908 * _e2966)));
+                                    let _e3006 = abs(((_e2908 * _e2937) - (_e2850 * _e2995)));
+                                    let _e3007 = abs(((_e2850 * _e2966) - (_e2879 * _e2937)));
+                                    let _e3014 = select(0u, select(2u, 1u, (_e3006 > _e3007)), select(true, select(true, false, (_e3005 > _e3007)), (_e3005 > _e3006)));
+                                    if (_e3014 == 0u) {
+                                        phi_3892_ = array<type_9, 2>(_e1337[0][0][1], _e1337[0][0][2]);
                                     } else {
-                                        if (_e3013 == 1u) {
-                                            phi_3891_ = array<type_9, 2>(_e1336[0][0][2], _e1336[0][0][0]);
+                                        if (_e3014 == 1u) {
+                                            phi_3891_ = array<type_9, 2>(_e1337[0][0][2], _e1337[0][0][0]);
                                         } else {
-                                            phi_3891_ = array<type_9, 2>(_e1336[0][0][0], _e1336[0][0][1]);
+                                            phi_3891_ = array<type_9, 2>(_e1337[0][0][0], _e1337[0][0][1]);
                                         }
-                                        let _e3027 = phi_3891_;
-                                        phi_3892_ = _e3027;
+                                        let _e3028 = phi_3891_;
+                                        phi_3892_ = _e3028;
                                     }
-                                    let _e3032 = phi_3892_;
-                                    if (_e3013 == 0u) {
-                                        phi_3927_ = array<type_9, 2>(_e1336[0][1][1], _e1336[0][1][2]);
+                                    let _e3033 = phi_3892_;
+                                    if (_e3014 == 0u) {
+                                        phi_3927_ = array<type_9, 2>(_e1337[0][1][1], _e1337[0][1][2]);
                                     } else {
-                                        if (_e3013 == 1u) {
-                                            phi_3926_ = array<type_9, 2>(_e1336[0][1][2], _e1336[0][1][0]);
+                                        if (_e3014 == 1u) {
+                                            phi_3926_ = array<type_9, 2>(_e1337[0][1][2], _e1337[0][1][0]);
                                         } else {
-                                            phi_3926_ = array<type_9, 2>(_e1336[0][1][0], _e1336[0][1][1]);
+                                            phi_3926_ = array<type_9, 2>(_e1337[0][1][0], _e1337[0][1][1]);
                                         }
-                                        let _e3043 = phi_3926_;
-                                        phi_3927_ = _e3043;
+                                        let _e3044 = phi_3926_;
+                                        phi_3927_ = _e3044;
                                     }
-                                    let _e3048 = phi_3927_;
-                                    if (_e3013 == 0u) {
-                                        phi_3962_ = array<type_9, 2>(_e1336[1][0][1], _e1336[1][0][2]);
+                                    let _e3049 = phi_3927_;
+                                    if (_e3014 == 0u) {
+                                        phi_3962_ = array<type_9, 2>(_e1337[1][0][1], _e1337[1][0][2]);
                                     } else {
-                                        if (_e3013 == 1u) {
-                                            phi_3961_ = array<type_9, 2>(_e1336[1][0][2], _e1336[1][0][0]);
+                                        if (_e3014 == 1u) {
+                                            phi_3961_ = array<type_9, 2>(_e1337[1][0][2], _e1337[1][0][0]);
                                         } else {
-                                            phi_3961_ = array<type_9, 2>(_e1336[1][0][0], _e1336[1][0][1]);
+                                            phi_3961_ = array<type_9, 2>(_e1337[1][0][0], _e1337[1][0][1]);
                                         }
-                                        let _e3059 = phi_3961_;
-                                        phi_3962_ = _e3059;
+                                        let _e3060 = phi_3961_;
+                                        phi_3962_ = _e3060;
                                     }
-                                    let _e3064 = phi_3962_;
-                                    if (_e3013 == 0u) {
-                                        phi_3997_ = array<type_9, 2>(_e1336[1][1][1], _e1336[1][1][2]);
+                                    let _e3065 = phi_3962_;
+                                    if (_e3014 == 0u) {
+                                        phi_3997_ = array<type_9, 2>(_e1337[1][1][1], _e1337[1][1][2]);
                                     } else {
-                                        if (_e3013 == 1u) {
-                                            phi_3996_ = array<type_9, 2>(_e1336[1][1][2], _e1336[1][1][0]);
+                                        if (_e3014 == 1u) {
+                                            phi_3996_ = array<type_9, 2>(_e1337[1][1][2], _e1337[1][1][0]);
                                         } else {
-                                            phi_3996_ = array<type_9, 2>(_e1336[1][1][0], _e1336[1][1][1]);
+                                            phi_3996_ = array<type_9, 2>(_e1337[1][1][0], _e1337[1][1][1]);
                                         }
-                                        let _e3075 = phi_3996_;
-                                        phi_3997_ = _e3075;
+                                        let _e3076 = phi_3996_;
+                                        phi_3997_ = _e3076;
                                     }
-                                    let _e3080 = phi_3997_;
-                                    if (_e3013 == 0u) {
-                                        phi_4032_ = array<type_9, 2>(_e1336[2][0][1], _e1336[2][0][2]);
+                                    let _e3081 = phi_3997_;
+                                    if (_e3014 == 0u) {
+                                        phi_4032_ = array<type_9, 2>(_e1337[2][0][1], _e1337[2][0][2]);
                                     } else {
-                                        if (_e3013 == 1u) {
-                                            phi_4031_ = array<type_9, 2>(_e1336[2][0][2], _e1336[2][0][0]);
+                                        if (_e3014 == 1u) {
+                                            phi_4031_ = array<type_9, 2>(_e1337[2][0][2], _e1337[2][0][0]);
                                         } else {
-                                            phi_4031_ = array<type_9, 2>(_e1336[2][0][0], _e1336[2][0][1]);
+                                            phi_4031_ = array<type_9, 2>(_e1337[2][0][0], _e1337[2][0][1]);
                                         }
-                                        let _e3091 = phi_4031_;
-                                        phi_4032_ = _e3091;
+                                        let _e3092 = phi_4031_;
+                                        phi_4032_ = _e3092;
                                     }
-                                    let _e3096 = phi_4032_;
-                                    if (_e3013 == 0u) {
-                                        phi_4067_ = array<type_9, 2>(_e1336[2][1][1], _e1336[2][1][2]);
+                                    let _e3097 = phi_4032_;
+                                    if (_e3014 == 0u) {
+                                        phi_4067_ = array<type_9, 2>(_e1337[2][1][1], _e1337[2][1][2]);
                                     } else {
-                                        if (_e3013 == 1u) {
-                                            phi_4066_ = array<type_9, 2>(_e1336[2][1][2], _e1336[2][1][0]);
+                                        if (_e3014 == 1u) {
+                                            phi_4066_ = array<type_9, 2>(_e1337[2][1][2], _e1337[2][1][0]);
                                         } else {
-                                            phi_4066_ = array<type_9, 2>(_e1336[2][1][0], _e1336[2][1][1]);
+                                            phi_4066_ = array<type_9, 2>(_e1337[2][1][0], _e1337[2][1][1]);
                                         }
-                                        let _e3107 = phi_4066_;
-                                        phi_4067_ = _e3107;
+                                        let _e3108 = phi_4066_;
+                                        phi_4067_ = _e3108;
                                     }
-                                    let _e3112 = phi_4067_;
-                                    let _e3124 = ((_e3048[0].member - _e3032[0].member) - select(0u, 1u, (_e3048[0].member_1 < _e3032[0].member_1)));
-                                    let _e3125 = (_e3048[0].member_1 - _e3032[0].member_1);
-                                    let _e3128 = ((_e3124 >> bitcast<u32>(31i)) != 0u);
-                                    let _e3135 = select(_e3124, (~(_e3124) + select(0u, 1u, (_e3125 == 0u))), _e3128);
-                                    let _e3136 = select(_e3125, (~(_e3125) + 1u), _e3128);
-                                    let _e3148 = ((_e3048[1].member - _e3032[1].member) - select(0u, 1u, (_e3048[1].member_1 < _e3032[1].member_1)));
-                                    let _e3149 = (_e3048[1].member_1 - _e3032[1].member_1);
-                                    let _e3152 = ((_e3148 >> bitcast<u32>(31i)) != 0u);
-                                    let _e3159 = select(_e3148, (~(_e3148) + select(0u, 1u, (_e3149 == 0u))), _e3152);
-                                    let _e3160 = select(_e3149, (~(_e3149) + 1u), _e3152);
-                                    let _e3167 = ((((_e3159 - _e3135) - select(0u, 1u, (_e3160 < _e3136))) >> bitcast<u32>(31i)) != 0u);
-                                    let _e3169 = select(_e3160, _e3136, _e3167);
-                                    let _e3170 = function_1(4u);
-                                    let _e3173 = (_e3169 + _e3170.member_1);
-                                    let _e3177 = ((select(_e3159, _e3135, _e3167) + _e3170.member) + select(0u, 1u, (_e3173 < _e3169)));
-                                    let _e3192 = ((_e3173 >> bitcast<u32>((_e2816.member_2 & 31u))) | ((_e3177 << bitcast<u32>(((31u - _e2816.member_2) & 31u))) << bitcast<u32>(1i)));
-                                    let _e3193 = function_1(4u);
-                                    let _e3196 = (_e3192 + _e3193.member_1);
-                                    let _e3200 = ((bitcast<u32>((bitcast<i32>(_e3177) >> bitcast<u32>((_e2816.member_2 & 31u)))) + _e3193.member) + select(0u, 1u, (_e3196 < _e3192)));
-                                    let _e3212 = ((_e3080[0].member - _e3064[0].member) - select(0u, 1u, (_e3080[0].member_1 < _e3064[0].member_1)));
-                                    let _e3213 = (_e3080[0].member_1 - _e3064[0].member_1);
-                                    let _e3216 = ((_e3212 >> bitcast<u32>(31i)) != 0u);
-                                    let _e3223 = select(_e3212, (~(_e3212) + select(0u, 1u, (_e3213 == 0u))), _e3216);
-                                    let _e3224 = select(_e3213, (~(_e3213) + 1u), _e3216);
-                                    let _e3236 = ((_e3080[1].member - _e3064[1].member) - select(0u, 1u, (_e3080[1].member_1 < _e3064[1].member_1)));
-                                    let _e3237 = (_e3080[1].member_1 - _e3064[1].member_1);
-                                    let _e3240 = ((_e3236 >> bitcast<u32>(31i)) != 0u);
-                                    let _e3247 = select(_e3236, (~(_e3236) + select(0u, 1u, (_e3237 == 0u))), _e3240);
-                                    let _e3248 = select(_e3237, (~(_e3237) + 1u), _e3240);
-                                    let _e3255 = ((((_e3247 - _e3223) - select(0u, 1u, (_e3248 < _e3224))) >> bitcast<u32>(31i)) != 0u);
-                                    let _e3257 = select(_e3248, _e3224, _e3255);
-                                    let _e3258 = function_1(4u);
-                                    let _e3261 = (_e3257 + _e3258.member_1);
-                                    let _e3265 = ((select(_e3247, _e3223, _e3255) + _e3258.member) + select(0u, 1u, (_e3261 < _e3257)));
-                                    let _e3280 = ((_e3261 >> bitcast<u32>((_e2816.member_2 & 31u))) | ((_e3265 << bitcast<u32>(((31u - _e2816.member_2) & 31u))) << bitcast<u32>(1i)));
-                                    let _e3281 = function_1(4u);
-                                    let _e3284 = (_e3280 + _e3281.member_1);
-                                    let _e3288 = ((bitcast<u32>((bitcast<i32>(_e3265) >> bitcast<u32>((_e2816.member_2 & 31u)))) + _e3281.member) + select(0u, 1u, (_e3284 < _e3280)));
-                                    let _e3300 = ((_e3112[0].member - _e3096[0].member) - select(0u, 1u, (_e3112[0].member_1 < _e3096[0].member_1)));
-                                    let _e3301 = (_e3112[0].member_1 - _e3096[0].member_1);
-                                    let _e3304 = ((_e3300 >> bitcast<u32>(31i)) != 0u);
-                                    let _e3311 = select(_e3300, (~(_e3300) + select(0u, 1u, (_e3301 == 0u))), _e3304);
-                                    let _e3312 = select(_e3301, (~(_e3301) + 1u), _e3304);
-                                    let _e3324 = ((_e3112[1].member - _e3096[1].member) - select(0u, 1u, (_e3112[1].member_1 < _e3096[1].member_1)));
-                                    let _e3325 = (_e3112[1].member_1 - _e3096[1].member_1);
-                                    let _e3328 = ((_e3324 >> bitcast<u32>(31i)) != 0u);
-                                    let _e3335 = select(_e3324, (~(_e3324) + select(0u, 1u, (_e3325 == 0u))), _e3328);
-                                    let _e3336 = select(_e3325, (~(_e3325) + 1u), _e3328);
-                                    let _e3343 = ((((_e3335 - _e3311) - select(0u, 1u, (_e3336 < _e3312))) >> bitcast<u32>(31i)) != 0u);
-                                    let _e3345 = select(_e3336, _e3312, _e3343);
-                                    let _e3346 = function_1(4u);
-                                    let _e3349 = (_e3345 + _e3346.member_1);
-                                    let _e3353 = ((select(_e3335, _e3311, _e3343) + _e3346.member) + select(0u, 1u, (_e3349 < _e3345)));
-                                    let _e3368 = ((_e3349 >> bitcast<u32>((_e2816.member_2 & 31u))) | ((_e3353 << bitcast<u32>(((31u - _e2816.member_2) & 31u))) << bitcast<u32>(1i)));
-                                    let _e3369 = function_1(4u);
-                                    let _e3372 = (_e3368 + _e3369.member_1);
-                                    let _e3376 = ((bitcast<u32>((bitcast<i32>(_e3353) >> bitcast<u32>((_e2816.member_2 & 31u)))) + _e3369.member) + select(0u, 1u, (_e3372 < _e3368)));
-                                    let _e3390 = function_4(((_e3048[0].member - _e3032[0].member) - select(0u, 1u, (_e3048[0].member_1 < _e3032[0].member_1))), (_e3048[0].member_1 - _e3032[0].member_1), _e2816.member);
-                                    let _e3393 = (_e3032[0].member_1 + _e3390.member_1);
-                                    let _e3397 = ((_e3032[0].member + _e3390.member) + select(0u, 1u, (_e3393 < _e3032[0].member_1)));
-                                    let _e3411 = function_4(((_e3048[1].member - _e3032[1].member) - select(0u, 1u, (_e3048[1].member_1 < _e3032[1].member_1))), (_e3048[1].member_1 - _e3032[1].member_1), _e2816.member);
-                                    let _e3414 = (_e3032[1].member_1 + _e3411.member_1);
-                                    let _e3418 = ((_e3032[1].member + _e3411.member) + select(0u, 1u, (_e3414 < _e3032[1].member_1)));
-                                    let _e3432 = function_4(((_e3080[0].member - _e3064[0].member) - select(0u, 1u, (_e3080[0].member_1 < _e3064[0].member_1))), (_e3080[0].member_1 - _e3064[0].member_1), _e2816.member);
-                                    let _e3435 = (_e3064[0].member_1 + _e3432.member_1);
-                                    let _e3439 = ((_e3064[0].member + _e3432.member) + select(0u, 1u, (_e3435 < _e3064[0].member_1)));
-                                    let _e3453 = function_4(((_e3080[1].member - _e3064[1].member) - select(0u, 1u, (_e3080[1].member_1 < _e3064[1].member_1))), (_e3080[1].member_1 - _e3064[1].member_1), _e2816.member);
-                                    let _e3456 = (_e3064[1].member_1 + _e3453.member_1);
-                                    let _e3460 = ((_e3064[1].member + _e3453.member) + select(0u, 1u, (_e3456 < _e3064[1].member_1)));
-                                    let _e3474 = function_4(((_e3112[0].member - _e3096[0].member) - select(0u, 1u, (_e3112[0].member_1 < _e3096[0].member_1))), (_e3112[0].member_1 - _e3096[0].member_1), _e2816.member);
-                                    let _e3477 = (_e3096[0].member_1 + _e3474.member_1);
-                                    let _e3481 = ((_e3096[0].member + _e3474.member) + select(0u, 1u, (_e3477 < _e3096[0].member_1)));
-                                    let _e3495 = function_4(((_e3112[1].member - _e3096[1].member) - select(0u, 1u, (_e3112[1].member_1 < _e3096[1].member_1))), (_e3112[1].member_1 - _e3096[1].member_1), _e2816.member);
-                                    let _e3498 = (_e3096[1].member_1 + _e3495.member_1);
-                                    let _e3502 = ((_e3096[1].member + _e3495.member) + select(0u, 1u, (_e3498 < _e3096[1].member_1)));
-                                    let _e3503 = function_2(_e3288, _e3284, _e3376, _e3372);
-                                    let _e3506 = function_2(_e3200, _e3196, _e3376, _e3372);
-                                    let _e3509 = function_2(_e3200, _e3196, _e3288, _e3284);
-                                    let _e3512 = function_7(_e3439, _e3435, _e3502, _e3498);
-                                    let _e3515 = function_7(_e3460, _e3456, _e3481, _e3477);
-                                    let _e3521 = ((_e3512.member - _e3515.member) - select(0u, 1u, (_e3512.member_1 < _e3515.member_1)));
-                                    let _e3522 = (_e3512.member_1 - _e3515.member_1);
-                                    let _e3525 = ((_e3521 >> bitcast<u32>(31i)) != 0u);
-                                    if ((((_e3503.member - select(_e3521, (~(_e3521) + select(0u, 1u, (_e3522 == 0u))), _e3525)) - select(0u, 1u, (_e3503.member_1 < select(_e3522, (~(_e3522) + 1u), _e3525)))) >> bitcast<u32>(31i)) != 0u) {
-                                        let _e3543 = ((_e3521 >> bitcast<u32>(31i)) != 0u);
-                                        let _e3550 = select(_e3521, (~(_e3521) + select(0u, 1u, (_e3522 == 0u))), _e3543);
-                                        let _e3551 = select(_e3522, (~(_e3522) + 1u), _e3543);
-                                        let _e3552 = function_7(_e3397, _e3393, _e3502, _e3498);
-                                        let _e3555 = function_7(_e3418, _e3414, _e3481, _e3477);
-                                        let _e3561 = ((_e3552.member - _e3555.member) - select(0u, 1u, (_e3552.member_1 < _e3555.member_1)));
-                                        let _e3562 = (_e3552.member_1 - _e3555.member_1);
-                                        let _e3569 = select(_e3561, (~(_e3561) + select(0u, 1u, (_e3562 == 0u))), _e3543);
-                                        let _e3570 = select(_e3562, (~(_e3562) + 1u), _e3543);
-                                        let _e3571 = function_7(_e3439, _e3435, _e3418, _e3414);
-                                        let _e3574 = function_7(_e3460, _e3456, _e3397, _e3393);
-                                        let _e3580 = ((_e3571.member - _e3574.member) - select(0u, 1u, (_e3571.member_1 < _e3574.member_1)));
-                                        let _e3581 = (_e3571.member_1 - _e3574.member_1);
-                                        let _e3588 = select(_e3580, (~(_e3580) + select(0u, 1u, (_e3581 == 0u))), _e3543);
-                                        let _e3589 = select(_e3581, (~(_e3581) + 1u), _e3543);
-                                        if (_e228.member != 0u) {
-                                            let _e3621 = (_e3503.member_1 + _e3506.member_1);
-                                            let _e3633 = (_e3503.member_1 + _e3509.member_1);
-                                            phi_4825_ = type_9(((_e3503.member + _e3509.member) + select(0u, 1u, (_e3633 < _e3503.member_1))), _e3633);
-                                            phi_4826_ = type_9(((_e3550 - _e3588) - select(0u, 1u, (_e3551 < _e3589))), (_e3551 - _e3589));
-                                            phi_4827_ = type_9(((_e3503.member + _e3506.member) + select(0u, 1u, (_e3621 < _e3503.member_1))), _e3621);
-                                            phi_4828_ = type_9(((_e3550 - _e3569) - select(0u, 1u, (_e3551 < _e3570))), (_e3551 - _e3570));
+                                    let _e3113 = phi_4067_;
+                                    let _e3125 = ((_e3049[0].member - _e3033[0].member) - select(0u, 1u, (_e3049[0].member_1 < _e3033[0].member_1)));
+                                    let _e3126 = (_e3049[0].member_1 - _e3033[0].member_1);
+                                    let _e3129 = ((_e3125 >> bitcast<u32>(31i)) != 0u);
+                                    let _e3136 = select(_e3125, (~(_e3125) + select(0u, 1u, (_e3126 == 0u))), _e3129);
+                                    let _e3137 = select(_e3126, (~(_e3126) + 1u), _e3129);
+                                    let _e3149 = ((_e3049[1].member - _e3033[1].member) - select(0u, 1u, (_e3049[1].member_1 < _e3033[1].member_1)));
+                                    let _e3150 = (_e3049[1].member_1 - _e3033[1].member_1);
+                                    let _e3153 = ((_e3149 >> bitcast<u32>(31i)) != 0u);
+                                    let _e3160 = select(_e3149, (~(_e3149) + select(0u, 1u, (_e3150 == 0u))), _e3153);
+                                    let _e3161 = select(_e3150, (~(_e3150) + 1u), _e3153);
+                                    let _e3168 = ((((_e3160 - _e3136) - select(0u, 1u, (_e3161 < _e3137))) >> bitcast<u32>(31i)) != 0u);
+                                    let _e3170 = select(_e3161, _e3137, _e3168);
+                                    let _e3171 = function_1(4u);
+                                    let _e3174 = (_e3170 + _e3171.member_1);
+                                    let _e3178 = ((select(_e3160, _e3136, _e3168) + _e3171.member) + select(0u, 1u, (_e3174 < _e3170)));
+                                    let _e3193 = ((_e3174 >> bitcast<u32>((_e2817.member_2 & 31u))) | ((_e3178 << bitcast<u32>(((31u - _e2817.member_2) & 31u))) << bitcast<u32>(1i)));
+                                    let _e3194 = function_1(4u);
+                                    let _e3197 = (_e3193 + _e3194.member_1);
+                                    let _e3201 = ((bitcast<u32>((bitcast<i32>(_e3178) >> bitcast<u32>((_e2817.member_2 & 31u)))) + _e3194.member) + select(0u, 1u, (_e3197 < _e3193)));
+                                    let _e3213 = ((_e3081[0].member - _e3065[0].member) - select(0u, 1u, (_e3081[0].member_1 < _e3065[0].member_1)));
+                                    let _e3214 = (_e3081[0].member_1 - _e3065[0].member_1);
+                                    let _e3217 = ((_e3213 >> bitcast<u32>(31i)) != 0u);
+                                    let _e3224 = select(_e3213, (~(_e3213) + select(0u, 1u, (_e3214 == 0u))), _e3217);
+                                    let _e3225 = select(_e3214, (~(_e3214) + 1u), _e3217);
+                                    let _e3237 = ((_e3081[1].member - _e3065[1].member) - select(0u, 1u, (_e3081[1].member_1 < _e3065[1].member_1)));
+                                    let _e3238 = (_e3081[1].member_1 - _e3065[1].member_1);
+                                    let _e3241 = ((_e3237 >> bitcast<u32>(31i)) != 0u);
+                                    let _e3248 = select(_e3237, (~(_e3237) + select(0u, 1u, (_e3238 == 0u))), _e3241);
+                                    let _e3249 = select(_e3238, (~(_e3238) + 1u), _e3241);
+                                    let _e3256 = ((((_e3248 - _e3224) - select(0u, 1u, (_e3249 < _e3225))) >> bitcast<u32>(31i)) != 0u);
+                                    let _e3258 = select(_e3249, _e3225, _e3256);
+                                    let _e3259 = function_1(4u);
+                                    let _e3262 = (_e3258 + _e3259.member_1);
+                                    let _e3266 = ((select(_e3248, _e3224, _e3256) + _e3259.member) + select(0u, 1u, (_e3262 < _e3258)));
+                                    let _e3281 = ((_e3262 >> bitcast<u32>((_e2817.member_2 & 31u))) | ((_e3266 << bitcast<u32>(((31u - _e2817.member_2) & 31u))) << bitcast<u32>(1i)));
+                                    let _e3282 = function_1(4u);
+                                    let _e3285 = (_e3281 + _e3282.member_1);
+                                    let _e3289 = ((bitcast<u32>((bitcast<i32>(_e3266) >> bitcast<u32>((_e2817.member_2 & 31u)))) + _e3282.member) + select(0u, 1u, (_e3285 < _e3281)));
+                                    let _e3301 = ((_e3113[0].member - _e3097[0].member) - select(0u, 1u, (_e3113[0].member_1 < _e3097[0].member_1)));
+                                    let _e3302 = (_e3113[0].member_1 - _e3097[0].member_1);
+                                    let _e3305 = ((_e3301 >> bitcast<u32>(31i)) != 0u);
+                                    let _e3312 = select(_e3301, (~(_e3301) + select(0u, 1u, (_e3302 == 0u))), _e3305);
+                                    let _e3313 = select(_e3302, (~(_e3302) + 1u), _e3305);
+                                    let _e3325 = ((_e3113[1].member - _e3097[1].member) - select(0u, 1u, (_e3113[1].member_1 < _e3097[1].member_1)));
+                                    let _e3326 = (_e3113[1].member_1 - _e3097[1].member_1);
+                                    let _e3329 = ((_e3325 >> bitcast<u32>(31i)) != 0u);
+                                    let _e3336 = select(_e3325, (~(_e3325) + select(0u, 1u, (_e3326 == 0u))), _e3329);
+                                    let _e3337 = select(_e3326, (~(_e3326) + 1u), _e3329);
+                                    let _e3344 = ((((_e3336 - _e3312) - select(0u, 1u, (_e3337 < _e3313))) >> bitcast<u32>(31i)) != 0u);
+                                    let _e3346 = select(_e3337, _e3313, _e3344);
+                                    let _e3347 = function_1(4u);
+                                    let _e3350 = (_e3346 + _e3347.member_1);
+                                    let _e3354 = ((select(_e3336, _e3312, _e3344) + _e3347.member) + select(0u, 1u, (_e3350 < _e3346)));
+                                    let _e3369 = ((_e3350 >> bitcast<u32>((_e2817.member_2 & 31u))) | ((_e3354 << bitcast<u32>(((31u - _e2817.member_2) & 31u))) << bitcast<u32>(1i)));
+                                    let _e3370 = function_1(4u);
+                                    let _e3373 = (_e3369 + _e3370.member_1);
+                                    let _e3377 = ((bitcast<u32>((bitcast<i32>(_e3354) >> bitcast<u32>((_e2817.member_2 & 31u)))) + _e3370.member) + select(0u, 1u, (_e3373 < _e3369)));
+                                    let _e3391 = function_4(((_e3049[0].member - _e3033[0].member) - select(0u, 1u, (_e3049[0].member_1 < _e3033[0].member_1))), (_e3049[0].member_1 - _e3033[0].member_1), _e2817.member);
+                                    let _e3394 = (_e3033[0].member_1 + _e3391.member_1);
+                                    let _e3398 = ((_e3033[0].member + _e3391.member) + select(0u, 1u, (_e3394 < _e3033[0].member_1)));
+                                    let _e3412 = function_4(((_e3049[1].member - _e3033[1].member) - select(0u, 1u, (_e3049[1].member_1 < _e3033[1].member_1))), (_e3049[1].member_1 - _e3033[1].member_1), _e2817.member);
+                                    let _e3415 = (_e3033[1].member_1 + _e3412.member_1);
+                                    let _e3419 = ((_e3033[1].member + _e3412.member) + select(0u, 1u, (_e3415 < _e3033[1].member_1)));
+                                    let _e3433 = function_4(((_e3081[0].member - _e3065[0].member) - select(0u, 1u, (_e3081[0].member_1 < _e3065[0].member_1))), (_e3081[0].member_1 - _e3065[0].member_1), _e2817.member);
+                                    let _e3436 = (_e3065[0].member_1 + _e3433.member_1);
+                                    let _e3440 = ((_e3065[0].member + _e3433.member) + select(0u, 1u, (_e3436 < _e3065[0].member_1)));
+                                    let _e3454 = function_4(((_e3081[1].member - _e3065[1].member) - select(0u, 1u, (_e3081[1].member_1 < _e3065[1].member_1))), (_e3081[1].member_1 - _e3065[1].member_1), _e2817.member);
+                                    let _e3457 = (_e3065[1].member_1 + _e3454.member_1);
+                                    let _e3461 = ((_e3065[1].member + _e3454.member) + select(0u, 1u, (_e3457 < _e3065[1].member_1)));
+                                    let _e3475 = function_4(((_e3113[0].member - _e3097[0].member) - select(0u, 1u, (_e3113[0].member_1 < _e3097[0].member_1))), (_e3113[0].member_1 - _e3097[0].member_1), _e2817.member);
+                                    let _e3478 = (_e3097[0].member_1 + _e3475.member_1);
+                                    let _e3482 = ((_e3097[0].member + _e3475.member) + select(0u, 1u, (_e3478 < _e3097[0].member_1)));
+                                    let _e3496 = function_4(((_e3113[1].member - _e3097[1].member) - select(0u, 1u, (_e3113[1].member_1 < _e3097[1].member_1))), (_e3113[1].member_1 - _e3097[1].member_1), _e2817.member);
+                                    let _e3499 = (_e3097[1].member_1 + _e3496.member_1);
+                                    let _e3503 = ((_e3097[1].member + _e3496.member) + select(0u, 1u, (_e3499 < _e3097[1].member_1)));
+                                    let _e3504 = function_2(_e3289, _e3285, _e3377, _e3373);
+                                    let _e3507 = function_2(_e3201, _e3197, _e3377, _e3373);
+                                    let _e3510 = function_2(_e3201, _e3197, _e3289, _e3285);
+                                    let _e3513 = function_7(_e3440, _e3436, _e3503, _e3499);
+                                    let _e3516 = function_7(_e3461, _e3457, _e3482, _e3478);
+                                    let _e3522 = ((_e3513.member - _e3516.member) - select(0u, 1u, (_e3513.member_1 < _e3516.member_1)));
+                                    let _e3523 = (_e3513.member_1 - _e3516.member_1);
+                                    let _e3526 = ((_e3522 >> bitcast<u32>(31i)) != 0u);
+                                    if ((((_e3504.member - select(_e3522, (~(_e3522) + select(0u, 1u, (_e3523 == 0u))), _e3526)) - select(0u, 1u, (_e3504.member_1 < select(_e3523, (~(_e3523) + 1u), _e3526)))) >> bitcast<u32>(31i)) != 0u) {
+                                        let _e3544 = ((_e3522 >> bitcast<u32>(31i)) != 0u);
+                                        let _e3551 = select(_e3522, (~(_e3522) + select(0u, 1u, (_e3523 == 0u))), _e3544);
+                                        let _e3552 = select(_e3523, (~(_e3523) + 1u), _e3544);
+                                        let _e3553 = function_7(_e3398, _e3394, _e3503, _e3499);
+                                        let _e3556 = function_7(_e3419, _e3415, _e3482, _e3478);
+                                        let _e3562 = ((_e3553.member - _e3556.member) - select(0u, 1u, (_e3553.member_1 < _e3556.member_1)));
+                                        let _e3563 = (_e3553.member_1 - _e3556.member_1);
+                                        let _e3570 = select(_e3562, (~(_e3562) + select(0u, 1u, (_e3563 == 0u))), _e3544);
+                                        let _e3571 = select(_e3563, (~(_e3563) + 1u), _e3544);
+                                        let _e3572 = function_7(_e3440, _e3436, _e3419, _e3415);
+                                        let _e3575 = function_7(_e3461, _e3457, _e3398, _e3394);
+                                        let _e3581 = ((_e3572.member - _e3575.member) - select(0u, 1u, (_e3572.member_1 < _e3575.member_1)));
+                                        let _e3582 = (_e3572.member_1 - _e3575.member_1);
+                                        let _e3589 = select(_e3581, (~(_e3581) + select(0u, 1u, (_e3582 == 0u))), _e3544);
+                                        let _e3590 = select(_e3582, (~(_e3582) + 1u), _e3544);
+                                        if (_e229.member != 0u) {
+                                            let _e3622 = (_e3504.member_1 + _e3507.member_1);
+                                            let _e3634 = (_e3504.member_1 + _e3510.member_1);
+                                            phi_4825_ = type_9(((_e3504.member + _e3510.member) + select(0u, 1u, (_e3634 < _e3504.member_1))), _e3634);
+                                            phi_4826_ = type_9(((_e3551 - _e3589) - select(0u, 1u, (_e3552 < _e3590))), (_e3552 - _e3590));
+                                            phi_4827_ = type_9(((_e3504.member + _e3507.member) + select(0u, 1u, (_e3622 < _e3504.member_1))), _e3622);
+                                            phi_4828_ = type_9(((_e3551 - _e3570) - select(0u, 1u, (_e3552 < _e3571))), (_e3552 - _e3571));
                                         } else {
-                                            let _e3595 = (_e3551 - _e3570);
-                                            let _e3599 = ((((_e3550 - _e3569) - select(0u, 1u, (_e3551 < _e3570))) - _e3588) - select(0u, 1u, (_e3595 < _e3589)));
-                                            let _e3600 = (_e3595 - _e3589);
-                                            let _e3602 = (_e3503.member_1 + _e3506.member_1);
-                                            let _e3607 = (_e3602 + _e3509.member_1);
-                                            let _e3611 = ((((_e3503.member + _e3506.member) + select(0u, 1u, (_e3602 < _e3503.member_1))) + _e3509.member) + select(0u, 1u, (_e3607 < _e3602)));
-                                            phi_4825_ = type_9(_e3611, _e3607);
-                                            phi_4826_ = type_9(_e3599, _e3600);
-                                            phi_4827_ = type_9(_e3611, _e3607);
-                                            phi_4828_ = type_9(_e3599, _e3600);
+                                            let _e3596 = (_e3552 - _e3571);
+                                            let _e3600 = ((((_e3551 - _e3570) - select(0u, 1u, (_e3552 < _e3571))) - _e3589) - select(0u, 1u, (_e3596 < _e3590)));
+                                            let _e3601 = (_e3596 - _e3590);
+                                            let _e3603 = (_e3504.member_1 + _e3507.member_1);
+                                            let _e3608 = (_e3603 + _e3510.member_1);
+                                            let _e3612 = ((((_e3504.member + _e3507.member) + select(0u, 1u, (_e3603 < _e3504.member_1))) + _e3510.member) + select(0u, 1u, (_e3608 < _e3603)));
+                                            phi_4825_ = type_9(_e3612, _e3608);
+                                            phi_4826_ = type_9(_e3600, _e3601);
+                                            phi_4827_ = type_9(_e3612, _e3608);
+                                            phi_4828_ = type_9(_e3600, _e3601);
                                         }
-                                        let _e3640 = phi_4825_;
-                                        let _e3642 = phi_4826_;
-                                        let _e3644 = phi_4827_;
-                                        let _e3646 = phi_4828_;
-                                        if ((((_e3506.member - (~(_e3569) + select(0u, 1u, (_e3570 == 0u)))) - select(0u, 1u, (_e3506.member_1 < (~(_e3570) + 1u)))) >> bitcast<u32>(31i)) != 0u) {
+                                        let _e3641 = phi_4825_;
+                                        let _e3643 = phi_4826_;
+                                        let _e3645 = phi_4827_;
+                                        let _e3647 = phi_4828_;
+                                        if ((((_e3507.member - (~(_e3570) + select(0u, 1u, (_e3571 == 0u)))) - select(0u, 1u, (_e3507.member_1 < (~(_e3571) + 1u)))) >> bitcast<u32>(31i)) != 0u) {
                                             phi_4921_ = bool();
                                             phi_4922_ = true;
                                         } else {
-                                            if ((((_e3509.member - (~(_e3588) + select(0u, 1u, (_e3589 == 0u)))) - select(0u, 1u, (_e3509.member_1 < (~(_e3589) + 1u)))) >> bitcast<u32>(31i)) != 0u) {
+                                            if ((((_e3510.member - (~(_e3589) + select(0u, 1u, (_e3590 == 0u)))) - select(0u, 1u, (_e3510.member_1 < (~(_e3590) + 1u)))) >> bitcast<u32>(31i)) != 0u) {
                                                 phi_4919_ = bool();
                                                 phi_4920_ = true;
                                             } else {
-                                                let _e3689 = ((((_e3644.member - (~(_e3646.member) + select(0u, 1u, (_e3646.member_1 == 0u)))) - select(0u, 1u, (_e3644.member_1 < (~(_e3646.member_1) + 1u)))) >> bitcast<u32>(31i)) != 0u);
-                                                if _e3689 {
+                                                let _e3690 = ((((_e3645.member - (~(_e3647.member) + select(0u, 1u, (_e3647.member_1 == 0u)))) - select(0u, 1u, (_e3645.member_1 < (~(_e3647.member_1) + 1u)))) >> bitcast<u32>(31i)) != 0u);
+                                                if _e3690 {
                                                     phi_4918_ = bool();
                                                 } else {
-                                                    phi_4918_ = ((((_e3640.member - (~(_e3642.member) + select(0u, 1u, (_e3642.member_1 == 0u)))) - select(0u, 1u, (_e3640.member_1 < (~(_e3642.member_1) + 1u)))) >> bitcast<u32>(31i)) != 0u);
+                                                    phi_4918_ = ((((_e3641.member - (~(_e3643.member) + select(0u, 1u, (_e3643.member_1 == 0u)))) - select(0u, 1u, (_e3641.member_1 < (~(_e3643.member_1) + 1u)))) >> bitcast<u32>(31i)) != 0u);
                                                 }
-                                                let _e3708 = phi_4918_;
-                                                phi_4919_ = _e3708;
-                                                phi_4920_ = _e3689;
+                                                let _e3709 = phi_4918_;
+                                                phi_4919_ = _e3709;
+                                                phi_4920_ = _e3690;
                                             }
-                                            let _e3710 = phi_4919_;
-                                            let _e3712 = phi_4920_;
-                                            phi_4921_ = _e3710;
-                                            phi_4922_ = _e3712;
+                                            let _e3711 = phi_4919_;
+                                            let _e3713 = phi_4920_;
+                                            phi_4921_ = _e3711;
+                                            phi_4922_ = _e3713;
                                         }
-                                        let _e3714 = phi_4921_;
-                                        let _e3716 = phi_4922_;
-                                        if ((((_e3506.member - _e3569) - select(0u, 1u, (_e3506.member_1 < _e3570))) >> bitcast<u32>(31i)) != 0u) {
-                                            if ((((_e3509.member - _e3588) - select(0u, 1u, (_e3509.member_1 < _e3589))) >> bitcast<u32>(31i)) != 0u) {
-                                                if ((((_e3644.member - _e3646.member) - select(0u, 1u, (_e3644.member_1 < _e3646.member_1))) >> bitcast<u32>(31i)) != 0u) {
-                                                    phi_4980_ = ((((_e3640.member - _e3642.member) - select(0u, 1u, (_e3640.member_1 < _e3642.member_1))) >> bitcast<u32>(31i)) != 0u);
+                                        let _e3715 = phi_4921_;
+                                        let _e3717 = phi_4922_;
+                                        if ((((_e3507.member - _e3570) - select(0u, 1u, (_e3507.member_1 < _e3571))) >> bitcast<u32>(31i)) != 0u) {
+                                            if ((((_e3510.member - _e3589) - select(0u, 1u, (_e3510.member_1 < _e3590))) >> bitcast<u32>(31i)) != 0u) {
+                                                if ((((_e3645.member - _e3647.member) - select(0u, 1u, (_e3645.member_1 < _e3647.member_1))) >> bitcast<u32>(31i)) != 0u) {
+                                                    phi_4980_ = ((((_e3641.member - _e3643.member) - select(0u, 1u, (_e3641.member_1 < _e3643.member_1))) >> bitcast<u32>(31i)) != 0u);
                                                     phi_4981_ = false;
                                                 } else {
                                                     phi_4980_ = bool();
                                                     phi_4981_ = true;
                                                 }
-                                                let _e3755 = phi_4980_;
-                                                let _e3757 = phi_4981_;
-                                                phi_4982_ = _e3755;
-                                                phi_4983_ = _e3757;
+                                                let _e3756 = phi_4980_;
+                                                let _e3758 = phi_4981_;
+                                                phi_4982_ = _e3756;
+                                                phi_4983_ = _e3758;
                                             } else {
                                                 phi_4982_ = bool();
                                                 phi_4983_ = true;
                                             }
-                                            let _e3759 = phi_4982_;
-                                            let _e3761 = phi_4983_;
-                                            phi_4984_ = _e3759;
-                                            phi_4985_ = _e3761;
+                                            let _e3760 = phi_4982_;
+                                            let _e3762 = phi_4983_;
+                                            phi_4984_ = _e3760;
+                                            phi_4985_ = _e3762;
                                         } else {
                                             phi_4984_ = bool();
                                             phi_4985_ = true;
                                         }
-                                        let _e3763 = phi_4984_;
-                                        let _e3765 = phi_4985_;
-                                        phi_4998_ = select(select(2u, 0u, select(_e3763, false, _e3765)), 1u, select(_e3714, true, _e3716));
+                                        let _e3764 = phi_4984_;
+                                        let _e3766 = phi_4985_;
+                                        phi_4998_ = select(select(2u, 0u, select(_e3764, false, _e3766)), 1u, select(_e3715, true, _e3717));
                                     } else {
                                         phi_4998_ = 2u;
                                     }
-                                    let _e3770 = phi_4998_;
-                                    let _e3771 = (_e3770 == 1u);
-                                    let _e3772 = (_e3770 == 0u);
-                                    let _e3788 = local_74;
-                                    if _e3788 {
-                                        let _e4846 = local_108;
-                                        phi_5070_ = _e4846;
-                                        phi_5071_ = _e3771;
-                                        phi_5072_ = select(true, false, _e3771);
+                                    let _e3771 = phi_4998_;
+                                    let _e3772 = (_e3771 == 1u);
+                                    let _e3773 = (_e3771 == 0u);
+                                    let _e3789 = local_74;
+                                    if _e3789 {
+                                        let _e4848 = local_108;
+                                        phi_5070_ = _e4848;
+                                        phi_5071_ = _e3772;
+                                        phi_5072_ = select(true, false, _e3772);
                                         phi_5073_ = false;
                                         phi_5074_ = false;
                                     } else {
-                                        let _e3792 = select(true, select(true, select(true, select(true, false, ((_e2816.member_1 - _e2816.member) <= _e713)), select(false, (_e2816.member_1 <= _e711), (_e2816.member >= _e709))), _e2802), _e3772);
-                                        let _e3794 = select(select(false, select((_e2816.member > _e711), true, (_e2816.member_1 < _e709)), _e2814), true, _e3771);
-                                        let _e3795 = select(true, _e3794, select(select(select((_e2403 == 0u), bool(), _e2401), bool(), _e1801), true, select(_e2401, true, _e1801)));
-                                        phi_5070_ = select(bool(), _e3794, _e3792);
-                                        phi_5071_ = select(false, _e3795, _e3792);
+                                        let _e3793 = select(true, select(true, select(true, select(true, false, ((_e2817.member_1 - _e2817.member) <= _e714)), select(false, (_e2817.member_1 <= _e712), (_e2817.member >= _e710))), _e2803), _e3773);
+                                        let _e3795 = select(select(false, select((_e2817.member > _e712), true, (_e2817.member_1 < _e710)), _e2815), true, _e3772);
+                                        let _e3796 = select(true, _e3795, select(select(select((_e2404 == 0u), bool(), _e2402), bool(), _e1802), true, select(_e2402, true, _e1802)));
+                                        phi_5070_ = select(bool(), _e3795, _e3793);
+                                        phi_5071_ = select(false, _e3796, _e3793);
                                         phi_5072_ = false;
-                                        phi_5073_ = select(false, select(true, false, _e3795), _e3792);
-                                        phi_5074_ = select(true, false, _e3792);
+                                        phi_5073_ = select(false, select(true, false, _e3796), _e3793);
+                                        phi_5074_ = select(true, false, _e3793);
                                     }
-                                    let _e3803 = phi_5070_;
-                                    let _e3805 = phi_5071_;
-                                    let _e3807 = phi_5072_;
-                                    let _e3809 = phi_5073_;
-                                    let _e3811 = phi_5074_;
-                                    phi_5081_ = _e2814;
-                                    phi_5082_ = _e2642;
+                                    let _e3804 = phi_5070_;
+                                    let _e3806 = phi_5071_;
+                                    let _e3808 = phi_5072_;
+                                    let _e3810 = phi_5073_;
+                                    let _e3812 = phi_5074_;
+                                    phi_5081_ = _e2815;
+                                    phi_5082_ = _e2643;
                                     phi_5083_ = true;
-                                    phi_5084_ = !(_e2455);
-                                    phi_5085_ = _e2646;
-                                    phi_5086_ = _e3803;
-                                    phi_5087_ = _e3772;
-                                    phi_5088_ = _e2816;
-                                    phi_5089_ = _e3805;
-                                    phi_5090_ = select(_e3807, false, _e3805);
-                                    phi_5091_ = select(_e3809, false, _e3805);
-                                    phi_5092_ = select(_e3811, false, _e3805);
+                                    phi_5084_ = !(_e2456);
+                                    phi_5085_ = _e2647;
+                                    phi_5086_ = _e3804;
+                                    phi_5087_ = _e3773;
+                                    phi_5088_ = _e2817;
+                                    phi_5089_ = _e3806;
+                                    phi_5090_ = select(_e3808, false, _e3806);
+                                    phi_5091_ = select(_e3810, false, _e3806);
+                                    phi_5092_ = select(_e3812, false, _e3806);
                                 }
-                                let _e3816 = phi_5081_;
-                                let _e3818 = phi_5082_;
-                                let _e3820 = phi_5083_;
-                                let _e3822 = phi_5084_;
-                                let _e3824 = phi_5085_;
-                                let _e3826 = phi_5086_;
-                                let _e3828 = phi_5087_;
-                                let _e3830 = phi_5088_;
-                                let _e3832 = phi_5089_;
-                                let _e3834 = phi_5090_;
-                                let _e3836 = phi_5091_;
-                                let _e3838 = phi_5092_;
-                                phi_5093_ = _e3816;
-                                phi_5094_ = _e3818;
-                                phi_5095_ = _e3820;
-                                phi_5096_ = _e3822;
-                                phi_5097_ = _e3824;
-                                phi_5098_ = _e3826;
-                                phi_5099_ = _e3828;
-                                phi_5100_ = _e3830;
-                                phi_5101_ = _e3832;
-                                phi_5102_ = _e3834;
-                                phi_5103_ = _e3836;
-                                phi_5104_ = _e3838;
+                                let _e3817 = phi_5081_;
+                                let _e3819 = phi_5082_;
+                                let _e3821 = phi_5083_;
+                                let _e3823 = phi_5084_;
+                                let _e3825 = phi_5085_;
+                                let _e3827 = phi_5086_;
+                                let _e3829 = phi_5087_;
+                                let _e3831 = phi_5088_;
+                                let _e3833 = phi_5089_;
+                                let _e3835 = phi_5090_;
+                                let _e3837 = phi_5091_;
+                                let _e3839 = phi_5092_;
+                                phi_5093_ = _e3817;
+                                phi_5094_ = _e3819;
+                                phi_5095_ = _e3821;
+                                phi_5096_ = _e3823;
+                                phi_5097_ = _e3825;
+                                phi_5098_ = _e3827;
+                                phi_5099_ = _e3829;
+                                phi_5100_ = _e3831;
+                                phi_5101_ = _e3833;
+                                phi_5102_ = _e3835;
+                                phi_5103_ = _e3837;
+                                phi_5104_ = _e3839;
                             } else {
-                                phi_5093_ = _e1801;
-                                phi_5094_ = _e1803;
-                                let _e4873 = local_112;
-                                phi_5095_ = _e4873;
-                                let _e4876 = local_113;
-                                phi_5096_ = _e4876;
-                                phi_5097_ = _e1809;
-                                let _e4880 = local_114;
-                                phi_5098_ = _e4880;
+                                phi_5093_ = _e1802;
+                                phi_5094_ = _e1804;
+                                let _e4875 = local_112;
+                                phi_5095_ = _e4875;
+                                let _e4878 = local_113;
+                                phi_5096_ = _e4878;
+                                phi_5097_ = _e1810;
+                                let _e4882 = local_114;
+                                phi_5098_ = _e4882;
                                 phi_5099_ = bool();
                                 phi_5100_ = type_17();
                                 phi_5101_ = true;
@@ -1976,208 +1976,208 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_5103_ = false;
                                 phi_5104_ = false;
                             }
-                            let _e3840 = phi_5093_;
-                            let _e3842 = phi_5094_;
-                            let _e3844 = phi_5095_;
-                            let _e3846 = phi_5096_;
-                            let _e3848 = phi_5097_;
-                            let _e3850 = phi_5098_;
-                            let _e3852 = phi_5099_;
-                            let _e3854 = phi_5100_;
-                            let _e3856 = phi_5101_;
-                            let _e3858 = phi_5102_;
-                            let _e3860 = phi_5103_;
-                            let _e3862 = phi_5104_;
-                            if _e3856 {
-                                if _e3850 {
-                                    let _e3866 = local_75;
-                                    let _e3867 = (_e3866 + 1u);
-                                    let _e3869 = local_76;
-                                    let _e3871 = (_e3867 & (4294967295u - _e3869));
-                                    let _e3877 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3871)), 32u, (_e3871 == 0u)));
-                                    let _e3879 = local_77;
-                                    let _e3882 = local_78;
-                                    let _e3883 = select(_e3877, _e3882, (_e3879 < _e3877));
-                                    let _e3886 = (_e3867 >> bitcast<u32>((_e3883 & 31u)));
-                                    let _e3888 = local_79;
-                                    let _e3889 = (_e3888 - _e3883);
-                                    let _e3891 = local_80;
-                                    let _e3892 = (_e3891 > _e711);
-                                    if _e3892 {
+                            let _e3841 = phi_5093_;
+                            let _e3843 = phi_5094_;
+                            let _e3845 = phi_5095_;
+                            let _e3847 = phi_5096_;
+                            let _e3849 = phi_5097_;
+                            let _e3851 = phi_5098_;
+                            let _e3853 = phi_5099_;
+                            let _e3855 = phi_5100_;
+                            let _e3857 = phi_5101_;
+                            let _e3859 = phi_5102_;
+                            let _e3861 = phi_5103_;
+                            let _e3863 = phi_5104_;
+                            if _e3857 {
+                                if _e3851 {
+                                    let _e3867 = local_75;
+                                    let _e3868 = (_e3867 + 1u);
+                                    let _e3870 = local_76;
+                                    let _e3872 = (_e3868 & (4294967295u - _e3870));
+                                    let _e3878 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3872)), 32u, (_e3872 == 0u)));
+                                    let _e3880 = local_77;
+                                    let _e3883 = local_78;
+                                    let _e3884 = select(_e3878, _e3883, (_e3880 < _e3878));
+                                    let _e3887 = (_e3868 >> bitcast<u32>((_e3884 & 31u)));
+                                    let _e3889 = local_79;
+                                    let _e3890 = (_e3889 - _e3884);
+                                    let _e3892 = local_80;
+                                    let _e3893 = (_e3892 > _e712);
+                                    if _e3893 {
                                         phi_5155_ = u32();
                                         phi_5156_ = u32();
                                         phi_5157_ = false;
                                         phi_5158_ = false;
                                     } else {
-                                        let _e3896 = select(true, select(true, false, (_e3889 == 0u)), (_e3886 == 1u));
-                                        let _e3897 = (31u - _e3889);
-                                        phi_5155_ = select(u32(), ((_e3886 + 1u) << bitcast<u32>((_e3897 & 31u))), _e3896);
-                                        phi_5156_ = select(u32(), (_e3886 << bitcast<u32>((_e3897 & 31u))), _e3896);
-                                        phi_5157_ = _e3896;
-                                        phi_5158_ = select(true, false, _e3896);
+                                        let _e3897 = select(true, select(true, false, (_e3890 == 0u)), (_e3887 == 1u));
+                                        let _e3898 = (31u - _e3890);
+                                        phi_5155_ = select(u32(), ((_e3887 + 1u) << bitcast<u32>((_e3898 & 31u))), _e3897);
+                                        phi_5156_ = select(u32(), (_e3887 << bitcast<u32>((_e3898 & 31u))), _e3897);
+                                        phi_5157_ = _e3897;
+                                        phi_5158_ = select(true, false, _e3897);
                                     }
-                                    let _e3909 = phi_5155_;
-                                    let _e3911 = phi_5156_;
-                                    let _e3913 = phi_5157_;
-                                    let _e3915 = phi_5158_;
-                                    phi_5159_ = _e3909;
-                                    phi_5160_ = _e3911;
+                                    let _e3910 = phi_5155_;
+                                    let _e3912 = phi_5156_;
+                                    let _e3914 = phi_5157_;
+                                    let _e3916 = phi_5158_;
+                                    phi_5159_ = _e3910;
+                                    phi_5160_ = _e3912;
                                     phi_5161_ = false;
                                     phi_5162_ = false;
                                     phi_5163_ = false;
                                     phi_5164_ = false;
-                                    phi_5165_ = _e3889;
-                                    phi_5166_ = _e3886;
-                                    phi_5167_ = _e3913;
-                                    phi_5168_ = _e3892;
-                                    phi_5169_ = _e3915;
+                                    phi_5165_ = _e3890;
+                                    phi_5166_ = _e3887;
+                                    phi_5167_ = _e3914;
+                                    phi_5168_ = _e3893;
+                                    phi_5169_ = _e3916;
                                 } else {
-                                    phi_5159_ = _e3848.member_1;
-                                    phi_5160_ = _e3848.member;
-                                    phi_5161_ = _e3840;
-                                    phi_5162_ = _e3842;
-                                    phi_5163_ = _e3844;
-                                    phi_5164_ = _e3846;
-                                    let _e4905 = local_115;
-                                    phi_5165_ = _e4905;
-                                    let _e4908 = local_116;
-                                    phi_5166_ = _e4908;
+                                    phi_5159_ = _e3849.member_1;
+                                    phi_5160_ = _e3849.member;
+                                    phi_5161_ = _e3841;
+                                    phi_5162_ = _e3843;
+                                    phi_5163_ = _e3845;
+                                    phi_5164_ = _e3847;
+                                    let _e4907 = local_115;
+                                    phi_5165_ = _e4907;
+                                    let _e4910 = local_116;
+                                    phi_5166_ = _e4910;
                                     phi_5167_ = true;
                                     phi_5168_ = false;
                                     phi_5169_ = false;
                                 }
-                                let _e3917 = phi_5159_;
-                                let _e3919 = phi_5160_;
-                                let _e3921 = phi_5161_;
-                                let _e3923 = phi_5162_;
-                                let _e3925 = phi_5163_;
-                                let _e3927 = phi_5164_;
-                                let _e3929 = phi_5165_;
-                                let _e3931 = phi_5166_;
-                                let _e3933 = phi_5167_;
-                                let _e3935 = phi_5168_;
-                                let _e3937 = phi_5169_;
-                                if _e3933 {
-                                    if select(_e3921, true, _e3850) {
+                                let _e3918 = phi_5159_;
+                                let _e3920 = phi_5160_;
+                                let _e3922 = phi_5161_;
+                                let _e3924 = phi_5162_;
+                                let _e3926 = phi_5163_;
+                                let _e3928 = phi_5164_;
+                                let _e3930 = phi_5165_;
+                                let _e3932 = phi_5166_;
+                                let _e3934 = phi_5167_;
+                                let _e3936 = phi_5168_;
+                                let _e3938 = phi_5169_;
+                                if _e3934 {
+                                    if select(_e3922, true, _e3851) {
                                         phi_5194_ = type_14(0i, 4i);
-                                        phi_5197_ = array<u32, 3>(_e3919, _e3919, _e3919);
+                                        phi_5197_ = array<u32, 3>(_e3920, _e3920, _e3920);
                                         phi_5199_ = array<type_9, 4>(type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u), type_9(0u, 0u));
                                         loop {
-                                            let _e3941 = phi_5194_;
-                                            let _e3943 = phi_5197_;
-                                            let _e3945 = phi_5199_;
-                                            local_81 = _e3945;
-                                            local_82 = _e3945;
-                                            local_83 = _e3945;
-                                            local_84 = _e3945;
-                                            local_85 = _e3945;
-                                            local_86 = _e3945;
-                                            local_87 = _e3945;
-                                            local_88 = _e3945;
-                                            local_89 = _e3945;
-                                            local_90 = _e3945;
-                                            local_91 = _e3945;
-                                            local_92 = _e3945;
-                                            local_118 = _e3945;
-                                            if (_e3941.member < _e3941.member_1) {
-                                                let _e3952 = (_e3941.member + 1i);
-                                                phi_5195_ = type_14(select(_e3952, type_15().member_1, select(false, true, ((false == (_e3952 > _e3941.member)) != false))), _e3941.member_1);
-                                                phi_5240_ = type_15(1u, _e3941.member);
+                                            let _e3942 = phi_5194_;
+                                            let _e3944 = phi_5197_;
+                                            let _e3946 = phi_5199_;
+                                            local_81 = _e3946;
+                                            local_82 = _e3946;
+                                            local_83 = _e3946;
+                                            local_84 = _e3946;
+                                            local_85 = _e3946;
+                                            local_86 = _e3946;
+                                            local_87 = _e3946;
+                                            local_88 = _e3946;
+                                            local_89 = _e3946;
+                                            local_90 = _e3946;
+                                            local_91 = _e3946;
+                                            local_92 = _e3946;
+                                            local_118 = _e3946;
+                                            if (_e3942.member < _e3942.member_1) {
+                                                let _e3953 = (_e3942.member + 1i);
+                                                phi_5195_ = type_14(select(_e3953, type_15().member_1, select(false, true, ((false == (_e3953 > _e3942.member)) != false))), _e3942.member_1);
+                                                phi_5240_ = type_15(1u, _e3942.member);
                                             } else {
-                                                phi_5195_ = _e3941;
+                                                phi_5195_ = _e3942;
                                                 phi_5240_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e3963 = phi_5195_;
-                                            let _e3965 = phi_5240_;
-                                            let _e3968 = (bitcast<i32>(_e3965.member) != 0i);
-                                            if _e3968 {
-                                                let _e3977 = function_4(((_e1629[1].member - _e1625.member) - select(0u, 1u, (_e1633[1].member_1 < _e1625.member_1))), (_e1633[1].member_1 - _e1625.member_1), _e3943[0]);
-                                                let _e3980 = (_e1625.member_1 + _e3977.member_1);
-                                                let _e3984 = ((_e1625.member + _e3977.member) + select(0u, 1u, (_e3980 < _e1625.member_1)));
-                                                let _e3990 = function_4(((_e1637[2].member - _e1629[1].member) - select(0u, 1u, (_e1641[2].member_1 < _e1633[1].member_1))), (_e1641[2].member_1 - _e1633[1].member_1), _e3943[0]);
-                                                let _e3993 = (_e1633[1].member_1 + _e3990.member_1);
-                                                let _e3997 = ((_e1629[1].member + _e3990.member) + select(0u, 1u, (_e3993 < _e1633[1].member_1)));
-                                                let _e4003 = function_4(((_e1652.member - _e1637[2].member) - select(0u, 1u, (_e1652.member_1 < _e1641[2].member_1))), (_e1652.member_1 - _e1641[2].member_1), _e3943[0]);
-                                                let _e4006 = (_e1641[2].member_1 + _e4003.member_1);
-                                                let _e4016 = function_4(((_e3997 - _e3984) - select(0u, 1u, (_e3993 < _e3980))), (_e3993 - _e3980), _e3943[1]);
-                                                let _e4019 = (_e3980 + _e4016.member_1);
-                                                let _e4023 = ((_e3984 + _e4016.member) + select(0u, 1u, (_e4019 < _e3980)));
-                                                let _e4029 = function_4(((((_e1637[2].member + _e4003.member) + select(0u, 1u, (_e4006 < _e1641[2].member_1))) - _e3997) - select(0u, 1u, (_e4006 < _e3993))), (_e4006 - _e3993), _e3943[1]);
-                                                let _e4032 = (_e3993 + _e4029.member_1);
-                                                let _e4042 = function_4(((((_e3997 + _e4029.member) + select(0u, 1u, (_e4032 < _e3993))) - _e4023) - select(0u, 1u, (_e4032 < _e4019))), (_e4032 - _e4019), _e3943[2]);
-                                                let _e4045 = (_e4019 + _e4042.member_1);
-                                                phi_5198_ = array<u32, 3>(_e3943[1], _e3943[2], _e3917);
-                                                phi_5200_ = array<type_9, 4>(_e3945[1], _e3945[2], _e3945[3], type_9(((_e4023 + _e4042.member) + select(0u, 1u, (_e4045 < _e4019))), _e4045));
+                                            let _e3964 = phi_5195_;
+                                            let _e3966 = phi_5240_;
+                                            let _e3969 = (bitcast<i32>(_e3966.member) != 0i);
+                                            if _e3969 {
+                                                let _e3978 = function_4(((_e1630[1].member - _e1626.member) - select(0u, 1u, (_e1634[1].member_1 < _e1626.member_1))), (_e1634[1].member_1 - _e1626.member_1), _e3944[0]);
+                                                let _e3981 = (_e1626.member_1 + _e3978.member_1);
+                                                let _e3985 = ((_e1626.member + _e3978.member) + select(0u, 1u, (_e3981 < _e1626.member_1)));
+                                                let _e3991 = function_4(((_e1638[2].member - _e1630[1].member) - select(0u, 1u, (_e1642[2].member_1 < _e1634[1].member_1))), (_e1642[2].member_1 - _e1634[1].member_1), _e3944[0]);
+                                                let _e3994 = (_e1634[1].member_1 + _e3991.member_1);
+                                                let _e3998 = ((_e1630[1].member + _e3991.member) + select(0u, 1u, (_e3994 < _e1634[1].member_1)));
+                                                let _e4004 = function_4(((_e1653.member - _e1638[2].member) - select(0u, 1u, (_e1653.member_1 < _e1642[2].member_1))), (_e1653.member_1 - _e1642[2].member_1), _e3944[0]);
+                                                let _e4007 = (_e1642[2].member_1 + _e4004.member_1);
+                                                let _e4017 = function_4(((_e3998 - _e3985) - select(0u, 1u, (_e3994 < _e3981))), (_e3994 - _e3981), _e3944[1]);
+                                                let _e4020 = (_e3981 + _e4017.member_1);
+                                                let _e4024 = ((_e3985 + _e4017.member) + select(0u, 1u, (_e4020 < _e3981)));
+                                                let _e4030 = function_4(((((_e1638[2].member + _e4004.member) + select(0u, 1u, (_e4007 < _e1642[2].member_1))) - _e3998) - select(0u, 1u, (_e4007 < _e3994))), (_e4007 - _e3994), _e3944[1]);
+                                                let _e4033 = (_e3994 + _e4030.member_1);
+                                                let _e4043 = function_4(((((_e3998 + _e4030.member) + select(0u, 1u, (_e4033 < _e3994))) - _e4024) - select(0u, 1u, (_e4033 < _e4020))), (_e4033 - _e4020), _e3944[2]);
+                                                let _e4046 = (_e4020 + _e4043.member_1);
+                                                phi_5198_ = array<u32, 3>(_e3944[1], _e3944[2], _e3918);
+                                                phi_5200_ = array<type_9, 4>(_e3946[1], _e3946[2], _e3946[3], type_9(((_e4024 + _e4043.member) + select(0u, 1u, (_e4046 < _e4020))), _e4046));
                                             } else {
                                                 phi_5198_ = array<u32, 3>();
                                                 phi_5200_ = array<type_9, 4>();
                                             }
-                                            let _e4059 = phi_5198_;
-                                            let _e4061 = phi_5200_;
+                                            let _e4060 = phi_5198_;
+                                            let _e4062 = phi_5200_;
                                             continue;
                                             continuing {
-                                                phi_5194_ = _e3963;
-                                                phi_5197_ = _e4059;
-                                                phi_5199_ = _e4061;
-                                                break if !(_e3968);
+                                                phi_5194_ = _e3964;
+                                                phi_5197_ = _e4060;
+                                                phi_5199_ = _e4062;
+                                                break if !(_e3969);
                                             }
                                         }
-                                        let _e4064 = local_81;
-                                        let _e4068 = local_82;
-                                        let _e4071 = function_1(128u);
-                                        let _e4076 = ((_e4064[0].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e4084 = local_83;
-                                        let _e4103 = local_84;
-                                        let _e4107 = local_85;
-                                        let _e4110 = function_1(128u);
-                                        let _e4115 = ((_e4103[1].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e4123 = local_86;
-                                        let _e4145 = local_87;
-                                        let _e4149 = local_88;
-                                        let _e4152 = function_1(128u);
-                                        let _e4157 = ((_e4145[2].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e4165 = local_89;
-                                        let _e4187 = local_90;
-                                        let _e4191 = local_91;
-                                        let _e4194 = function_1(128u);
-                                        let _e4199 = ((_e4187[3].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e4207 = local_92;
-                                        phi_5571_ = (((select(0u, select(1u, 2u, ((_e4064[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e4071.member - select(_e4084[0].member, (~(_e4064[0].member) + select(0u, 1u, (_e4068[0].member_1 == 0u))), _e4076)) - select(0u, 1u, (_e4071.member_1 < select(_e4084[0].member_1, (~(_e4068[0].member_1) + 1u), _e4076)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e4103[1].member >> bitcast<u32>(31i)) != 0u)), ((((_e4110.member - select(_e4123[1].member, (~(_e4103[1].member) + select(0u, 1u, (_e4107[1].member_1 == 0u))), _e4115)) - select(0u, 1u, (_e4110.member_1 < select(_e4123[1].member_1, (~(_e4107[1].member_1) + 1u), _e4115)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e4145[2].member >> bitcast<u32>(31i)) != 0u)), ((((_e4152.member - select(_e4165[2].member, (~(_e4145[2].member) + select(0u, 1u, (_e4149[2].member_1 == 0u))), _e4157)) - select(0u, 1u, (_e4152.member_1 < select(_e4165[2].member_1, (~(_e4149[2].member_1) + 1u), _e4157)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e4187[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e4194.member - select(_e4207[3].member, (~(_e4187[3].member) + select(0u, 1u, (_e4191[3].member_1 == 0u))), _e4199)) - select(0u, 1u, (_e4194.member_1 < select(_e4207[3].member_1, (~(_e4191[3].member_1) + 1u), _e4199)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
-                                        let _e4936 = local_118;
-                                        phi_5572_ = _e4936;
-                                    } else {
-                                        let _e4933 = local_117;
-                                        phi_5571_ = _e4933;
-                                        let _e4938 = local_119;
+                                        let _e4065 = local_81;
+                                        let _e4069 = local_82;
+                                        let _e4072 = function_1(128u);
+                                        let _e4077 = ((_e4065[0].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e4085 = local_83;
+                                        let _e4104 = local_84;
+                                        let _e4108 = local_85;
+                                        let _e4111 = function_1(128u);
+                                        let _e4116 = ((_e4104[1].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e4124 = local_86;
+                                        let _e4146 = local_87;
+                                        let _e4150 = local_88;
+                                        let _e4153 = function_1(128u);
+                                        let _e4158 = ((_e4146[2].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e4166 = local_89;
+                                        let _e4188 = local_90;
+                                        let _e4192 = local_91;
+                                        let _e4195 = function_1(128u);
+                                        let _e4200 = ((_e4188[3].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e4208 = local_92;
+                                        phi_5571_ = (((select(0u, select(1u, 2u, ((_e4065[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e4072.member - select(_e4085[0].member, (~(_e4065[0].member) + select(0u, 1u, (_e4069[0].member_1 == 0u))), _e4077)) - select(0u, 1u, (_e4072.member_1 < select(_e4085[0].member_1, (~(_e4069[0].member_1) + 1u), _e4077)))) >> bitcast<u32>(31i)) != 0u)) | (select(0u, select(1u, 2u, ((_e4104[1].member >> bitcast<u32>(31i)) != 0u)), ((((_e4111.member - select(_e4124[1].member, (~(_e4104[1].member) + select(0u, 1u, (_e4108[1].member_1 == 0u))), _e4116)) - select(0u, 1u, (_e4111.member_1 < select(_e4124[1].member_1, (~(_e4108[1].member_1) + 1u), _e4116)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(2i))) | (select(0u, select(1u, 2u, ((_e4146[2].member >> bitcast<u32>(31i)) != 0u)), ((((_e4153.member - select(_e4166[2].member, (~(_e4146[2].member) + select(0u, 1u, (_e4150[2].member_1 == 0u))), _e4158)) - select(0u, 1u, (_e4153.member_1 < select(_e4166[2].member_1, (~(_e4150[2].member_1) + 1u), _e4158)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(4i))) | (select(0u, select(1u, 2u, ((_e4188[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e4195.member - select(_e4208[3].member, (~(_e4188[3].member) + select(0u, 1u, (_e4192[3].member_1 == 0u))), _e4200)) - select(0u, 1u, (_e4195.member_1 < select(_e4208[3].member_1, (~(_e4192[3].member_1) + 1u), _e4200)))) >> bitcast<u32>(31i)) != 0u)) << bitcast<u32>(6i)));
+                                        let _e4938 = local_118;
                                         phi_5572_ = _e4938;
+                                    } else {
+                                        let _e4935 = local_117;
+                                        phi_5571_ = _e4935;
+                                        let _e4940 = local_119;
+                                        phi_5572_ = _e4940;
                                     }
-                                    let _e4229 = phi_5571_;
-                                    let _e4231 = phi_5572_;
-                                    phi_5573_ = _e4229;
-                                    phi_5574_ = _e4231;
+                                    let _e4230 = phi_5571_;
+                                    let _e4232 = phi_5572_;
+                                    phi_5573_ = _e4230;
+                                    phi_5574_ = _e4232;
                                     phi_5575_ = false;
                                     phi_5576_ = false;
                                 } else {
                                     phi_5573_ = u32();
                                     phi_5574_ = array<type_9, 4>();
-                                    phi_5575_ = _e3935;
-                                    phi_5576_ = _e3937;
+                                    phi_5575_ = _e3936;
+                                    phi_5576_ = _e3938;
                                 }
-                                let _e4233 = phi_5573_;
-                                let _e4235 = phi_5574_;
-                                let _e4237 = phi_5575_;
-                                let _e4239 = phi_5576_;
-                                phi_5577_ = _e4233;
-                                phi_5578_ = _e4235;
-                                phi_5579_ = _e3921;
-                                phi_5580_ = _e3923;
-                                phi_5581_ = _e3925;
-                                phi_5582_ = _e3927;
-                                phi_5583_ = _e3929;
-                                phi_5584_ = _e3931;
-                                phi_5585_ = _e3933;
-                                phi_5586_ = _e4237;
-                                phi_5587_ = _e4239;
+                                let _e4234 = phi_5573_;
+                                let _e4236 = phi_5574_;
+                                let _e4238 = phi_5575_;
+                                let _e4240 = phi_5576_;
+                                phi_5577_ = _e4234;
+                                phi_5578_ = _e4236;
+                                phi_5579_ = _e3922;
+                                phi_5580_ = _e3924;
+                                phi_5581_ = _e3926;
+                                phi_5582_ = _e3928;
+                                phi_5583_ = _e3930;
+                                phi_5584_ = _e3932;
+                                phi_5585_ = _e3934;
+                                phi_5586_ = _e4238;
+                                phi_5587_ = _e4240;
                                 phi_5588_ = false;
                                 phi_5589_ = false;
                                 phi_5590_ = false;
@@ -2193,48 +2193,48 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_5585_ = false;
                                 phi_5586_ = false;
                                 phi_5587_ = false;
-                                phi_5588_ = _e3858;
-                                phi_5589_ = _e3860;
-                                phi_5590_ = _e3862;
+                                phi_5588_ = _e3859;
+                                phi_5589_ = _e3861;
+                                phi_5590_ = _e3863;
                             }
-                            let _e4241 = phi_5577_;
-                            let _e4243 = phi_5578_;
-                            let _e4245 = phi_5579_;
-                            let _e4247 = phi_5580_;
-                            let _e4249 = phi_5581_;
-                            let _e4251 = phi_5582_;
-                            let _e4253 = phi_5583_;
-                            let _e4255 = phi_5584_;
-                            let _e4257 = phi_5585_;
-                            let _e4259 = phi_5586_;
-                            let _e4261 = phi_5587_;
-                            let _e4263 = phi_5588_;
-                            let _e4265 = phi_5589_;
-                            let _e4267 = phi_5590_;
-                            phi_2396_ = _e4241;
-                            phi_2399_ = _e4243;
-                            phi_2401_ = _e4245;
-                            phi_2403_ = _e4247;
-                            phi_2405_ = _e4249;
-                            phi_2407_ = _e4251;
-                            phi_2409_ = _e3848;
-                            let _e4966 = local_120;
-                            phi_2411_ = _e4966;
-                            let _e4969 = local_121;
-                            phi_2413_ = _e4969;
-                            let _e4972 = local_122;
-                            phi_2415_ = _e4972;
-                            phi_2417_ = _e4253;
-                            phi_2419_ = _e4255;
-                            phi_5591_ = _e3852;
-                            phi_5592_ = _e3854;
-                            phi_5593_ = _e4257;
+                            let _e4242 = phi_5577_;
+                            let _e4244 = phi_5578_;
+                            let _e4246 = phi_5579_;
+                            let _e4248 = phi_5580_;
+                            let _e4250 = phi_5581_;
+                            let _e4252 = phi_5582_;
+                            let _e4254 = phi_5583_;
+                            let _e4256 = phi_5584_;
+                            let _e4258 = phi_5585_;
+                            let _e4260 = phi_5586_;
+                            let _e4262 = phi_5587_;
+                            let _e4264 = phi_5588_;
+                            let _e4266 = phi_5589_;
+                            let _e4268 = phi_5590_;
+                            phi_2396_ = _e4242;
+                            phi_2399_ = _e4244;
+                            phi_2401_ = _e4246;
+                            phi_2403_ = _e4248;
+                            phi_2405_ = _e4250;
+                            phi_2407_ = _e4252;
+                            phi_2409_ = _e3849;
+                            let _e4968 = local_120;
+                            phi_2411_ = _e4968;
+                            let _e4971 = local_121;
+                            phi_2413_ = _e4971;
+                            let _e4974 = local_122;
+                            phi_2415_ = _e4974;
+                            phi_2417_ = _e4254;
+                            phi_2419_ = _e4256;
+                            phi_5591_ = _e3853;
+                            phi_5592_ = _e3855;
+                            phi_5593_ = _e4258;
                             phi_5594_ = false;
-                            phi_5595_ = _e4259;
-                            phi_5596_ = _e4261;
-                            phi_5597_ = _e4263;
-                            phi_5598_ = _e4265;
-                            phi_5599_ = _e4267;
+                            phi_5595_ = _e4260;
+                            phi_5596_ = _e4262;
+                            phi_5597_ = _e4264;
+                            phi_5598_ = _e4266;
+                            phi_5599_ = _e4268;
                         } else {
                             phi_2396_ = u32();
                             phi_2399_ = array<type_9, 4>();
@@ -2258,125 +2258,125 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_5598_ = false;
                             phi_5599_ = false;
                         }
-                        let _e4269 = phi_2396_;
-                        let _e4271 = phi_2399_;
-                        let _e4273 = phi_2401_;
-                        let _e4275 = phi_2403_;
-                        let _e4277 = phi_2405_;
-                        let _e4279 = phi_2407_;
-                        let _e4281 = phi_2409_;
-                        let _e4283 = phi_2411_;
-                        let _e4285 = phi_2413_;
-                        let _e4287 = phi_2415_;
-                        let _e4289 = phi_2417_;
-                        let _e4291 = phi_2419_;
-                        let _e4293 = phi_5591_;
-                        let _e4295 = phi_5592_;
-                        let _e4297 = phi_5593_;
-                        let _e4299 = phi_5594_;
-                        let _e4301 = phi_5595_;
-                        let _e4303 = phi_5596_;
-                        let _e4305 = phi_5597_;
-                        let _e4307 = phi_5598_;
-                        let _e4309 = phi_5599_;
-                        local_93 = _e4299;
-                        local_94 = _e4299;
-                        local_95 = _e4299;
-                        local_96 = _e4301;
-                        local_97 = _e4299;
-                        local_98 = _e4303;
-                        local_99 = _e4299;
-                        local_100 = _e4305;
-                        local_101 = _e4299;
-                        local_102 = _e4307;
-                        local_103 = _e4299;
-                        local_104 = _e4309;
-                        local_105 = _e4293;
-                        local_106 = _e4293;
-                        local_107 = _e4295;
+                        let _e4270 = phi_2396_;
+                        let _e4272 = phi_2399_;
+                        let _e4274 = phi_2401_;
+                        let _e4276 = phi_2403_;
+                        let _e4278 = phi_2405_;
+                        let _e4280 = phi_2407_;
+                        let _e4282 = phi_2409_;
+                        let _e4284 = phi_2411_;
+                        let _e4286 = phi_2413_;
+                        let _e4288 = phi_2415_;
+                        let _e4290 = phi_2417_;
+                        let _e4292 = phi_2419_;
+                        let _e4294 = phi_5591_;
+                        let _e4296 = phi_5592_;
+                        let _e4298 = phi_5593_;
+                        let _e4300 = phi_5594_;
+                        let _e4302 = phi_5595_;
+                        let _e4304 = phi_5596_;
+                        let _e4306 = phi_5597_;
+                        let _e4308 = phi_5598_;
+                        let _e4310 = phi_5599_;
+                        local_93 = _e4300;
+                        local_94 = _e4300;
+                        local_95 = _e4300;
+                        local_96 = _e4302;
+                        local_97 = _e4300;
+                        local_98 = _e4304;
+                        local_99 = _e4300;
+                        local_100 = _e4306;
+                        local_101 = _e4300;
+                        local_102 = _e4308;
+                        local_103 = _e4300;
+                        local_104 = _e4310;
+                        local_105 = _e4294;
+                        local_106 = _e4294;
+                        local_107 = _e4296;
                         continue;
                         continuing {
-                            phi_2395_ = _e4269;
-                            phi_2398_ = _e4271;
-                            phi_2400_ = _e4273;
-                            phi_2402_ = _e4275;
-                            phi_2404_ = _e4277;
-                            phi_2406_ = _e4279;
-                            phi_2408_ = _e4281;
-                            phi_2410_ = _e4283;
-                            phi_2412_ = _e4285;
-                            phi_2414_ = _e4287;
-                            phi_2416_ = _e4289;
-                            phi_2418_ = _e4291;
-                            break if !(_e4297);
+                            phi_2395_ = _e4270;
+                            phi_2398_ = _e4272;
+                            phi_2400_ = _e4274;
+                            phi_2402_ = _e4276;
+                            phi_2404_ = _e4278;
+                            phi_2406_ = _e4280;
+                            phi_2408_ = _e4282;
+                            phi_2410_ = _e4284;
+                            phi_2412_ = _e4286;
+                            phi_2414_ = _e4288;
+                            phi_2416_ = _e4290;
+                            phi_2418_ = _e4292;
+                            break if !(_e4298);
                         }
                     }
-                    let _e4313 = local_93;
-                    let _e4318 = local_94;
-                    let _e4321 = local_95;
-                    let _e4323 = local_96;
-                    let _e4324 = select(_e4323, false, _e4321);
-                    let _e4326 = local_97;
-                    let _e4328 = local_98;
-                    let _e4331 = local_99;
-                    let _e4333 = local_100;
-                    let _e4336 = local_101;
-                    let _e4338 = local_102;
-                    let _e4341 = local_103;
-                    let _e4343 = local_104;
-                    let _e4345 = select(select(_e4328, false, _e4326), false, _e4324);
-                    let _e4349 = select(_e4324, true, _e4345);
-                    let _e4358 = select(select(select(select(_e4333, false, _e4331), false, _e4324), false, _e4345), false, _e4349);
-                    if _e4358 {
-                        let _e4362 = local_105;
-                        let _e4367 = local_106;
-                        phi_5641_ = type_9(select(2u, 3u, _e4362), select(type_9().member_1, type_9().member_1, _e4367));
+                    let _e4314 = local_93;
+                    let _e4319 = local_94;
+                    let _e4322 = local_95;
+                    let _e4324 = local_96;
+                    let _e4325 = select(_e4324, false, _e4322);
+                    let _e4327 = local_97;
+                    let _e4329 = local_98;
+                    let _e4332 = local_99;
+                    let _e4334 = local_100;
+                    let _e4337 = local_101;
+                    let _e4339 = local_102;
+                    let _e4342 = local_103;
+                    let _e4344 = local_104;
+                    let _e4346 = select(select(_e4329, false, _e4327), false, _e4325);
+                    let _e4350 = select(_e4325, true, _e4346);
+                    let _e4359 = select(select(select(select(_e4334, false, _e4332), false, _e4325), false, _e4346), false, _e4350);
+                    if _e4359 {
+                        let _e4363 = local_105;
+                        let _e4368 = local_106;
+                        phi_5641_ = type_9(select(2u, 3u, _e4363), select(type_9().member_1, type_9().member_1, _e4368));
                         phi_5642_ = false;
                         phi_5643_ = false;
                         phi_5644_ = false;
                     } else {
                         phi_5641_ = type_9();
-                        phi_5642_ = select(select(select(select(_e4338, false, _e4336), false, _e4324), false, _e4345), false, _e4349);
-                        phi_5643_ = select(select(select(select(_e4343, false, _e4341), false, _e4324), false, _e4345), false, _e4349);
-                        phi_5644_ = _e4349;
+                        phi_5642_ = select(select(select(select(_e4339, false, _e4337), false, _e4325), false, _e4346), false, _e4350);
+                        phi_5643_ = select(select(select(select(_e4344, false, _e4342), false, _e4325), false, _e4346), false, _e4350);
+                        phi_5644_ = _e4350;
                     }
-                    let _e4371 = phi_5641_;
-                    let _e4373 = phi_5642_;
-                    let _e4375 = phi_5643_;
-                    let _e4377 = phi_5644_;
-                    let _e4383 = select(_e4375, false, _e4373);
-                    let _e4387 = local_107;
-                    let _e4391 = select(_e4373, true, _e4383);
-                    let _e4398 = select(select(select(_e4358, false, _e4373), false, _e4383), true, _e4391);
-                    let _e4402 = select(select(select(select(_e4377, false, _e4373), false, _e4383), false, _e4391), true, _e4398);
-                    phi_5680_ = type_9(select(select(type_9().member, 2u, _e4313), select(select(type_9().member, 0u, _e4349), select(_e4371.member, select(select(type_9().member, 2u, _e4373), 1u, _e4383), _e4391), _e4398), _e4402), select(select(type_9().member_1, type_9().member_1, _e4318), select(select(type_9().member_1, type_9().member_1, _e4349), select(_e4371.member_1, select(select(type_9().member_1, type_9().member_1, _e4373), _e4387.member, _e4383), _e4391), _e4398), _e4402));
+                    let _e4372 = phi_5641_;
+                    let _e4374 = phi_5642_;
+                    let _e4376 = phi_5643_;
+                    let _e4378 = phi_5644_;
+                    let _e4384 = select(_e4376, false, _e4374);
+                    let _e4388 = local_107;
+                    let _e4392 = select(_e4374, true, _e4384);
+                    let _e4399 = select(select(select(_e4359, false, _e4374), false, _e4384), true, _e4392);
+                    let _e4403 = select(select(select(select(_e4378, false, _e4374), false, _e4384), false, _e4392), true, _e4399);
+                    phi_5680_ = type_9(select(select(type_9().member, 2u, _e4314), select(select(type_9().member, 0u, _e4350), select(_e4372.member, select(select(type_9().member, 2u, _e4374), 1u, _e4384), _e4392), _e4399), _e4403), select(select(type_9().member_1, type_9().member_1, _e4319), select(select(type_9().member_1, type_9().member_1, _e4350), select(_e4372.member_1, select(select(type_9().member_1, type_9().member_1, _e4374), _e4388.member, _e4384), _e4392), _e4399), _e4403));
                 }
-                let _e4409 = phi_5680_;
-                phi_5684_ = _e4409;
-                phi_5685_ = type_9(_e186, _e189);
+                let _e4410 = phi_5680_;
+                phi_5684_ = _e4410;
+                phi_5685_ = type_9(_e187, _e190);
             } else {
                 phi_5684_ = type_9(0u, u32());
                 phi_5685_ = type_9(0u, 0u);
             }
-            let _e4411 = phi_5684_;
-            let _e4413 = phi_5685_;
-            let _e4417 = params.member.member_2.member_1;
-            switch bitcast<i32>(_e4411.member) {
+            let _e4412 = phi_5684_;
+            let _e4414 = phi_5685_;
+            let _e4418 = params.member.member_2.member_1;
+            switch bitcast<i32>(_e4412.member) {
                 case 0: {
                     phi_5722_ = type_26(0u, 0u, array<u32, 2>(0u, 0u), false);
                     phi_5723_ = false;
                     break;
                 }
                 case 1: {
-                    if (_e4411.member_1 == 0u) {
+                    if (_e4412.member_1 == 0u) {
                         phi_5719_ = array<u32, 2>(0u, 0u);
                     } else {
-                        let _e4426 = select((bitcast<u32>(31i) - firstLeadingBit(_e4411.member_1)), 32u, (_e4411.member_1 == 0u));
-                        let _e4431 = ((_e4411.member_1 << bitcast<u32>((_e4426 & 31u))) << bitcast<u32>(1i));
-                        phi_5719_ = array<u32, 2>((_e4431 << bitcast<u32>(20i)), (((1023u - _e4426) << bitcast<u32>(20i)) | (_e4431 >> bitcast<u32>(12i))));
+                        let _e4427 = select((bitcast<u32>(31i) - firstLeadingBit(_e4412.member_1)), 32u, (_e4412.member_1 == 0u));
+                        let _e4432 = ((_e4412.member_1 << bitcast<u32>((_e4427 & 31u))) << bitcast<u32>(1i));
+                        phi_5719_ = array<u32, 2>((_e4432 << bitcast<u32>(20i)), (((1023u - _e4427) << bitcast<u32>(20i)) | (_e4432 >> bitcast<u32>(12i))));
                     }
-                    let _e4442 = phi_5719_;
-                    phi_5722_ = type_26(0u, select(0u, 1u, (_e4411.member_1 > _e4417)), _e4442, true);
+                    let _e4443 = phi_5719_;
+                    phi_5722_ = type_26(0u, select(0u, 1u, (_e4412.member_1 > _e4418)), _e4443, true);
                     phi_5723_ = false;
                     break;
                 }
@@ -2396,151 +2396,151 @@ fn function_9(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     break;
                 }
             }
-            let _e4445 = phi_5722_;
-            let _e4447 = phi_5723_;
-            if _e4447 {
+            let _e4446 = phi_5722_;
+            let _e4448 = phi_5723_;
+            if _e4448 {
                 phi_5727_ = type_26(1u, 0u, array<u32, 2>(0u, 0u), true);
             } else {
-                phi_5727_ = _e4445;
+                phi_5727_ = _e4446;
             }
-            let _e4449 = phi_5727_;
-            local_1 = type_26(_e4449.member, _e4449.member_1, array<u32, 2>(_e4449.member_2[0], _e4449.member_2[1]), _e4449.member_3);
-            let _e4462 = global.member;
-            if (bitcast<i32>(_e4411.member) == bitcast<i32>(_e4462)) {
-                if (bitcast<i32>(_e4411.member) == 1i) {
-                    let _e4469 = global.member;
-                    if (bitcast<i32>(_e4469) == 1i) {
-                        let _e4474 = global.member_1;
-                        phi_5767_ = (_e4411.member_1 == _e4474);
+            let _e4450 = phi_5727_;
+            local_1 = type_26(_e4450.member, _e4450.member_1, array<u32, 2>(_e4450.member_2[0], _e4450.member_2[1]), _e4450.member_3);
+            let _e4463 = global.member;
+            if (bitcast<i32>(_e4412.member) == bitcast<i32>(_e4463)) {
+                if (bitcast<i32>(_e4412.member) == 1i) {
+                    let _e4470 = global.member;
+                    if (bitcast<i32>(_e4470) == 1i) {
+                        let _e4475 = global.member_1;
+                        phi_5767_ = (_e4412.member_1 == _e4475);
                         phi_5768_ = false;
                     } else {
                         phi_5767_ = bool();
                         phi_5768_ = true;
                     }
-                    let _e4477 = phi_5767_;
-                    let _e4479 = phi_5768_;
-                    phi_5769_ = _e4477;
-                    phi_5770_ = _e4479;
+                    let _e4478 = phi_5767_;
+                    let _e4480 = phi_5768_;
+                    phi_5769_ = _e4478;
+                    phi_5770_ = _e4480;
                 } else {
                     phi_5769_ = bool();
                     phi_5770_ = true;
                 }
-                let _e4481 = phi_5769_;
-                let _e4483 = phi_5770_;
-                phi_5775_ = select(_e4481, true, _e4483);
+                let _e4482 = phi_5769_;
+                let _e4484 = phi_5770_;
+                phi_5775_ = select(_e4482, true, _e4484);
             } else {
                 phi_5775_ = false;
             }
-            let _e4486 = phi_5775_;
-            let _e4491 = params.member.member_2.member.member;
-            let _e4494 = local_1.member;
-            let _e4495 = (_e4494 == 0u);
-            let _e4500 = select(select(select((_e4491 > 0u), bool(), _e4486), bool(), _e4495), false, select(_e4486, true, _e4495));
-            if _e4500 {
+            let _e4487 = phi_5775_;
+            let _e4492 = params.member.member_2.member.member;
+            let _e4495 = local_1.member;
+            let _e4496 = (_e4495 == 0u);
+            let _e4501 = select(select(select((_e4492 > 0u), bool(), _e4487), bool(), _e4496), false, select(_e4487, true, _e4496));
+            if _e4501 {
                 local = type_26(0u, 0u, array<u32, 2>(0u, 0u), false);
             } else {
-                let _e4501 = local_1;
-                local = _e4501;
+                let _e4502 = local_1;
+                local = _e4502;
             }
-            let _e4503 = local.member;
-            let _e4505 = select(true, false, (_e4503 == 0u));
-            let _e4507 = local.member_3;
-            if _e4507 {
-                if _e4505 {
+            let _e4504 = local.member;
+            let _e4506 = select(true, false, (_e4504 == 0u));
+            let _e4508 = local.member_3;
+            if _e4508 {
+                if _e4506 {
                     phi_5831_ = true;
                 } else {
-                    let _e4509 = params.member.member.member_1;
-                    phi_5831_ = ((_e4509 & 16u) != 0u);
+                    let _e4510 = params.member.member.member_1;
+                    phi_5831_ = ((_e4510 & 16u) != 0u);
                 }
-                let _e4513 = phi_5831_;
-                phi_5832_ = _e4513;
+                let _e4514 = phi_5831_;
+                phi_5832_ = _e4514;
             } else {
                 phi_5832_ = false;
             }
-            let _e4515 = phi_5832_;
-            let _e4517 = local.member_3;
-            if _e4517 {
-                if _e4505 {
+            let _e4516 = phi_5832_;
+            let _e4518 = local.member_3;
+            if _e4518 {
+                if _e4506 {
                 } else {
-                    let _e4519 = local.member_2;
-                    let _e4523 = (_e4519[1] >> bitcast<u32>(20i));
-                    let _e4537 = atomicMin((&earliest.member[0u]), select(((((_e4523 - 896u) << bitcast<u32>(23i)) | ((_e4519[1] & 1048575u) << bitcast<u32>(3i))) | (_e4519[0] >> bitcast<u32>(29i))), 0u, (_e4523 <= 896u)));
+                    let _e4520 = local.member_2;
+                    let _e4525 = ((_e4520[1] >> bitcast<u32>(20i)) & 2047u);
+                    let _e4539 = atomicMin((&earliest.member[0u]), select(((((_e4525 - 896u) << bitcast<u32>(23i)) | ((_e4520[1] & 1048575u) << bitcast<u32>(3i))) | (_e4520[0] >> bitcast<u32>(29i))), 0u, (_e4525 <= 896u)));
                 }
             }
-            if (_e101 == 0u) {
+            if (_e102 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4515 {
-                let _e4541 = atomicAdd((&counters[0u]), 1u);
-                phi_5875_ = _e4541;
+            if _e4516 {
+                let _e4543 = atomicAdd((&counters[0u]), 1u);
+                phi_5876_ = _e4543;
             } else {
-                phi_5875_ = 0u;
+                phi_5876_ = 0u;
             }
-            let _e4543 = phi_5875_;
+            let _e4545 = phi_5876_;
             workgroupBarrier();
-            if (_e101 == 0u) {
-                let _e4546 = atomicLoad((&counters[0u]));
-                if (_e4546 > 0u) {
-                    let _e4549 = atomicAdd((&contacts.member[0u]), _e4546);
-                    atomicStore((&counters[1u]), _e4549);
+            if (_e102 == 0u) {
+                let _e4548 = atomicLoad((&counters[0u]));
+                if (_e4548 > 0u) {
+                    let _e4551 = atomicAdd((&contacts.member[0u]), _e4548);
+                    atomicStore((&counters[1u]), _e4551);
                 }
             }
             workgroupBarrier();
-            let _e4552 = atomicLoad((&counters[1u]));
-            let _e4553 = (_e4552 + _e4543);
-            if _e4515 {
-                let _e4555 = params.member.member_1.member_3;
-                if (_e4553 < _e4555) {
-                    let _e4561 = (7u * _e4553);
-                    atomicStore((&contacts.member[(4u + _e4561)]), select(1u, 0u, ((_e4413.member_1 & 2147483648u) == 0u)));
-                    let _e4566 = local.member;
-                    atomicStore((&contacts.member[(_e4561 + 5u)]), _e4566);
-                    atomicStore((&contacts.member[(_e4561 + 6u)]), _e4413.member);
-                    atomicStore((&contacts.member[(_e4561 + 7u)]), (_e4413.member_1 & 2147483647u));
-                    let _e4575 = local.member_2[0u];
-                    atomicStore((&contacts.member[(_e4561 + 8u)]), _e4575);
-                    let _e4580 = local.member_2[1u];
-                    atomicStore((&contacts.member[(_e4561 + 9u)]), _e4580);
-                    let _e4584 = local.member_1;
-                    atomicStore((&contacts.member[(_e4561 + 10u)]), _e4584);
+            let _e4554 = atomicLoad((&counters[1u]));
+            let _e4555 = (_e4554 + _e4545);
+            if _e4516 {
+                let _e4557 = params.member.member_1.member_3;
+                if (_e4555 < _e4557) {
+                    let _e4563 = (7u * _e4555);
+                    atomicStore((&contacts.member[(4u + _e4563)]), select(1u, 0u, ((_e4414.member_1 & 2147483648u) == 0u)));
+                    let _e4568 = local.member;
+                    atomicStore((&contacts.member[(_e4563 + 5u)]), _e4568);
+                    atomicStore((&contacts.member[(_e4563 + 6u)]), _e4414.member);
+                    atomicStore((&contacts.member[(_e4563 + 7u)]), (_e4414.member_1 & 2147483647u));
+                    let _e4577 = local.member_2[0u];
+                    atomicStore((&contacts.member[(_e4563 + 8u)]), _e4577);
+                    let _e4582 = local.member_2[1u];
+                    atomicStore((&contacts.member[(_e4563 + 9u)]), _e4582);
+                    let _e4586 = local.member_1;
+                    atomicStore((&contacts.member[(_e4563 + 10u)]), _e4586);
                 }
             }
             workgroupBarrier();
-            if (_e101 == 0u) {
+            if (_e102 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4500 {
-                let _e4589 = atomicAdd((&counters[0u]), 1u);
-                phi_5957_ = _e4589;
+            if _e4501 {
+                let _e4591 = atomicAdd((&counters[0u]), 1u);
+                phi_5958_ = _e4591;
             } else {
-                phi_5957_ = 0u;
+                phi_5958_ = 0u;
             }
-            let _e4591 = phi_5957_;
+            let _e4593 = phi_5958_;
             workgroupBarrier();
-            if (_e101 == 0u) {
-                let _e4594 = atomicLoad((&counters[0u]));
-                if (_e4594 > 0u) {
-                    let _e4597 = atomicAdd((&left.member[0u]), _e4594);
-                    atomicStore((&counters[1u]), _e4597);
+            if (_e102 == 0u) {
+                let _e4596 = atomicLoad((&counters[0u]));
+                if (_e4596 > 0u) {
+                    let _e4599 = atomicAdd((&left.member[0u]), _e4596);
+                    atomicStore((&counters[1u]), _e4599);
                 }
             }
             workgroupBarrier();
-            let _e4600 = atomicLoad((&counters[1u]));
-            let _e4601 = (_e4600 + _e4591);
-            if _e4500 {
-                if (_e4601 < _e4491) {
-                    let _e4603 = (2u * _e4601);
-                    atomicStore((&left.member[(4u + _e4603)]), _e4413.member);
-                    atomicStore((&left.member[(_e4603 + 5u)]), _e4413.member_1);
+            let _e4602 = atomicLoad((&counters[1u]));
+            let _e4603 = (_e4602 + _e4593);
+            if _e4501 {
+                if (_e4603 < _e4492) {
+                    let _e4605 = (2u * _e4603);
+                    atomicStore((&left.member[(4u + _e4605)]), _e4414.member);
+                    atomicStore((&left.member[(_e4605 + 5u)]), _e4414.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_311_ = type_9(select(_e156.member, (_e156.member + 1u), _e159), select(_e156.member_1, _e156.member_1, _e159));
-            break if !(_e172);
+            phi_311_ = type_9(select(_e157.member, (_e157.member + 1u), _e160), select(_e157.member_1, _e157.member_1, _e160));
+            break if !(_e173);
         }
     }
     return;

@@ -151,7 +151,7 @@ fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_8631_: array<array<f32, 3>, 4>;
+    var phi_8633_: array<array<f32, 3>, 4>;
 
     let _e9 = (param_3[0] - param_4[0]);
     let _e12 = (param_3[1] - param_4[1]);
@@ -168,7 +168,7 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e251 = (param_3[2] - param_5[2]);
         let _e271 = ((((_e245 * param_4[0]) + (_e248 * param_4[1])) + (_e251 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         let _e275 = select(0f, select(1f, _e271, (_e271 < 1f)), (_e271 > 0f));
-        phi_8631_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e155)), (param_3[1] - (param_4[1] * _e155)), (param_3[2] - (param_4[2] * _e155))), array<f32, 3>((param_3[0] - (param_5[0] * _e195)), (param_3[1] - (param_5[1] * _e195)), (param_3[2] - (param_5[2] * _e195))), array<f32, 3>((_e9 - (param_5[0] * _e232)), (_e12 - (param_5[1] * _e232)), (_e15 - (param_5[2] * _e232))), array<f32, 3>((_e245 - (param_4[0] * _e275)), (_e248 - (param_4[1] * _e275)), (_e251 - (param_4[2] * _e275))));
+        phi_8633_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e155)), (param_3[1] - (param_4[1] * _e155)), (param_3[2] - (param_4[2] * _e155))), array<f32, 3>((param_3[0] - (param_5[0] * _e195)), (param_3[1] - (param_5[1] * _e195)), (param_3[2] - (param_5[2] * _e195))), array<f32, 3>((_e9 - (param_5[0] * _e232)), (_e12 - (param_5[1] * _e232)), (_e15 - (param_5[2] * _e232))), array<f32, 3>((_e245 - (param_4[0] * _e275)), (_e248 - (param_4[1] * _e275)), (_e251 - (param_4[2] * _e275))));
     } else {
         let _e19 = (param_5[0] - param_4[0]);
         let _e22 = (param_5[1] - param_4[1]);
@@ -180,9 +180,9 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e74 = select(0f, select(1f, _e70, (_e70 < 1f)), (_e70 > 0f));
         let _e110 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e114 = select(0f, select(1f, _e110, (_e110 < 1f)), (_e110 > 0f));
-        phi_8631_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e74)), (param_3[1] - (param_4[1] * _e74)), (param_3[2] - (param_4[2] * _e74))), array<f32, 3>((param_3[0] - (param_5[0] * _e114)), (param_3[1] - (param_5[1] * _e114)), (param_3[2] - (param_5[2] * _e114))), _e47, _e47);
+        phi_8633_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e74)), (param_3[1] - (param_4[1] * _e74)), (param_3[2] - (param_4[2] * _e74))), array<f32, 3>((param_3[0] - (param_5[0] * _e114)), (param_3[1] - (param_5[1] * _e114)), (param_3[2] - (param_5[2] * _e114))), _e47, _e47);
     }
-    let _e288 = phi_8631_;
+    let _e288 = phi_8633_;
     let _e291 = function_1(_e288[0], _e288[1]);
     let _e293 = function_1(_e291, _e288[2]);
     let _e295 = function_1(_e293, _e288[3]);
@@ -190,12 +190,12 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
 }
 
 fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32, 3>, param_10: u32) -> array<f32, 3> {
-    var phi_8259_: bool;
-    var phi_8292_: array<f32, 3>;
-    var phi_8293_: bool;
+    var phi_8261_: bool;
     var phi_8294_: array<f32, 3>;
     var phi_8295_: bool;
-    var phi_8300_: array<f32, 3>;
+    var phi_8296_: array<f32, 3>;
+    var phi_8297_: bool;
+    var phi_8302_: array<f32, 3>;
 
     let _e23 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
     let _e34 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
@@ -209,38 +209,38 @@ fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32
         let _e89 = (_e74 >= 0f);
         let _e90 = (_e78 >= 0f);
         let _e91 = (_e74 <= 1f);
-        phi_8259_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
+        phi_8261_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
     } else {
         let _e80 = (_e74 >= 0f);
         let _e81 = (_e78 >= 0f);
-        phi_8259_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
+        phi_8261_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
     }
-    let _e101 = phi_8259_;
+    let _e101 = phi_8261_;
     if (_e70 > ((_e23 * _e45) * (0.000000059604645f * 64f))) {
         if _e101 {
-            phi_8292_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
-            phi_8293_ = false;
+            phi_8294_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
+            phi_8295_ = false;
         } else {
-            phi_8292_ = array<f32, 3>();
-            phi_8293_ = true;
+            phi_8294_ = array<f32, 3>();
+            phi_8295_ = true;
         }
-        let _e129 = phi_8292_;
-        let _e131 = phi_8293_;
-        phi_8294_ = _e129;
-        phi_8295_ = _e131;
+        let _e129 = phi_8294_;
+        let _e131 = phi_8295_;
+        phi_8296_ = _e129;
+        phi_8297_ = _e131;
     } else {
-        phi_8294_ = array<f32, 3>();
-        phi_8295_ = true;
+        phi_8296_ = array<f32, 3>();
+        phi_8297_ = true;
     }
-    let _e133 = phi_8294_;
-    let _e135 = phi_8295_;
+    let _e133 = phi_8296_;
+    let _e135 = phi_8297_;
     if _e135 {
         let _e136 = function_2(param_7, param_8, param_9, param_10);
-        phi_8300_ = _e136;
+        phi_8302_ = _e136;
     } else {
-        phi_8300_ = _e133;
+        phi_8302_ = _e133;
     }
-    let _e138 = phi_8300_;
+    let _e138 = phi_8302_;
     return _e138;
 }
 
@@ -252,183 +252,183 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_4: type_31;
     var local_5: type_28;
     var local_6: type_32;
-    var phi_236_: u32;
-    var phi_281_: u32;
-    var phi_284_: type_9;
-    var phi_458_: type_22;
-    var phi_593_: type_28;
-    var phi_622_: bool;
-    var phi_1093_: bool;
-    var phi_1187_: type_33;
-    var phi_1188_: bool;
-    var phi_1189_: type_33;
-    var phi_1190_: bool;
-    var phi_1191_: type_33;
-    var phi_1192_: bool;
-    var phi_1197_: type_33;
-    var phi_1367_: type_14;
-    var phi_1370_: f32;
+    var phi_237_: u32;
+    var phi_282_: u32;
+    var phi_285_: type_9;
+    var phi_459_: type_22;
+    var phi_594_: type_28;
+    var phi_623_: bool;
+    var phi_1094_: bool;
+    var phi_1188_: type_33;
+    var phi_1189_: bool;
+    var phi_1190_: type_33;
+    var phi_1191_: bool;
+    var phi_1192_: type_33;
+    var phi_1193_: bool;
+    var phi_1198_: type_33;
     var phi_1368_: type_14;
-    var phi_1411_: type_15;
     var phi_1371_: f32;
+    var phi_1369_: type_14;
+    var phi_1412_: type_15;
+    var phi_1372_: f32;
     var local_7: f32;
-    var phi_1424_: f32;
-    var phi_2333_: type_35;
-    var phi_2334_: bool;
-    var phi_2335_: type_35;
-    var phi_2336_: bool;
-    var phi_2342_: type_14;
-    var phi_2345_: f32;
-    var phi_2347_: u32;
-    var phi_2349_: f32;
+    var phi_1425_: f32;
+    var phi_2334_: type_35;
+    var phi_2335_: bool;
+    var phi_2336_: type_35;
+    var phi_2337_: bool;
     var phi_2343_: type_14;
-    var phi_2390_: type_15;
-    var phi_2827_: type_9;
-    var phi_2830_: f32;
-    var phi_2832_: f32;
-    var phi_2834_: f32;
-    var phi_2836_: f32;
-    var phi_2838_: bool;
-    var phi_2840_: u32;
-    var phi_2991_: array<f32, 3>;
-    var phi_3057_: type_14;
-    var phi_3060_: f32;
-    var phi_3058_: type_14;
-    var phi_3101_: type_15;
-    var phi_3061_: f32;
-    var local_8: f32;
-    var phi_3114_: f32;
-    var phi_3237_: type_31;
-    var phi_3238_: bool;
-    var phi_3239_: type_31;
-    var phi_3240_: bool;
-    var phi_3248_: type_31;
-    var phi_3419_: bool;
-    var phi_3420_: bool;
-    var phi_3421_: bool;
-    var phi_3422_: bool;
-    var phi_3423_: bool;
-    var phi_3424_: bool;
-    var phi_3725_: bool;
-    var phi_3726_: bool;
-    var phi_3727_: bool;
-    var phi_3728_: bool;
-    var phi_3729_: bool;
-    var phi_3730_: bool;
-    var phi_3738_: bool;
-    var phi_3845_: f32;
-    var phi_3846_: bool;
-    var phi_3847_: f32;
-    var phi_3848_: bool;
-    var phi_3849_: f32;
-    var phi_3850_: bool;
-    var phi_3851_: bool;
-    var phi_3913_: f32;
-    var phi_3914_: bool;
-    var phi_3915_: f32;
-    var phi_3916_: bool;
-    var phi_3917_: f32;
-    var phi_3918_: bool;
-    var phi_3919_: bool;
-    var phi_3986_: f32;
-    var phi_3987_: bool;
-    var phi_3988_: f32;
-    var phi_3989_: bool;
-    var phi_3990_: f32;
-    var phi_3991_: bool;
-    var phi_3992_: bool;
-    var phi_4054_: f32;
-    var phi_4055_: bool;
-    var phi_4056_: f32;
-    var phi_4057_: bool;
-    var phi_4058_: f32;
-    var phi_4059_: bool;
-    var phi_4060_: bool;
-    var phi_4234_: type_14;
-    var phi_4237_: f32;
-    var phi_4235_: type_14;
-    var phi_4278_: type_15;
-    var phi_4238_: f32;
-    var local_9: f32;
-    var phi_4291_: f32;
-    var phi_4562_: bool;
-    var phi_4563_: bool;
-    var phi_4589_: f32;
-    var phi_4590_: f32;
-    var phi_4591_: bool;
-    var phi_4592_: bool;
-    var phi_4593_: f32;
-    var phi_4594_: f32;
-    var phi_4595_: f32;
-    var phi_4596_: f32;
-    var phi_4597_: bool;
-    var phi_4598_: bool;
-    var phi_4599_: bool;
-    var phi_4600_: bool;
-    var phi_4601_: f32;
-    var phi_4602_: f32;
-    var phi_4603_: f32;
-    var phi_4604_: f32;
-    var phi_4605_: bool;
-    var phi_4606_: bool;
-    var phi_4607_: bool;
-    var phi_4608_: bool;
-    var phi_4609_: bool;
-    var phi_4610_: f32;
-    var phi_4611_: f32;
-    var phi_4612_: f32;
-    var phi_4613_: f32;
-    var phi_4614_: bool;
-    var phi_4615_: bool;
-    var phi_4616_: bool;
-    var phi_4617_: bool;
-    var phi_4618_: bool;
-    var phi_4951_: f32;
-    var phi_4953_: u32;
-    var phi_4954_: f32;
-    var phi_4955_: bool;
-    var phi_4956_: bool;
-    var phi_4957_: bool;
-    var phi_4958_: u32;
-    var phi_4959_: f32;
-    var phi_4960_: f32;
-    var phi_4961_: f32;
-    var phi_4962_: f32;
-    var phi_4963_: bool;
-    var phi_4964_: u32;
-    var phi_4965_: bool;
-    var phi_4966_: bool;
-    var phi_4967_: bool;
-    var phi_4968_: bool;
-    var phi_4969_: bool;
-    var phi_4970_: bool;
-    var phi_4998_: f32;
-    var phi_4999_: f32;
-    var phi_5000_: f32;
-    var phi_5001_: f32;
-    var phi_5002_: bool;
-    var phi_5003_: u32;
-    var phi_5004_: bool;
-    var phi_5005_: bool;
-    var phi_5006_: bool;
-    var phi_5007_: bool;
-    var phi_5008_: bool;
-    var phi_5009_: bool;
+    var phi_2346_: f32;
+    var phi_2348_: u32;
+    var phi_2350_: f32;
+    var phi_2344_: type_14;
+    var phi_2391_: type_15;
+    var phi_2828_: type_9;
     var phi_2831_: f32;
     var phi_2833_: f32;
     var phi_2835_: f32;
     var phi_2837_: f32;
     var phi_2839_: bool;
     var phi_2841_: u32;
-    var phi_5010_: f32;
+    var phi_2992_: array<f32, 3>;
+    var phi_3058_: type_14;
+    var phi_3061_: f32;
+    var phi_3059_: type_14;
+    var phi_3102_: type_15;
+    var phi_3062_: f32;
+    var local_8: f32;
+    var phi_3115_: f32;
+    var phi_3238_: type_31;
+    var phi_3239_: bool;
+    var phi_3240_: type_31;
+    var phi_3241_: bool;
+    var phi_3249_: type_31;
+    var phi_3420_: bool;
+    var phi_3421_: bool;
+    var phi_3422_: bool;
+    var phi_3423_: bool;
+    var phi_3424_: bool;
+    var phi_3425_: bool;
+    var phi_3726_: bool;
+    var phi_3727_: bool;
+    var phi_3728_: bool;
+    var phi_3729_: bool;
+    var phi_3730_: bool;
+    var phi_3731_: bool;
+    var phi_3739_: bool;
+    var phi_3846_: f32;
+    var phi_3847_: bool;
+    var phi_3848_: f32;
+    var phi_3849_: bool;
+    var phi_3850_: f32;
+    var phi_3851_: bool;
+    var phi_3852_: bool;
+    var phi_3914_: f32;
+    var phi_3915_: bool;
+    var phi_3916_: f32;
+    var phi_3917_: bool;
+    var phi_3918_: f32;
+    var phi_3919_: bool;
+    var phi_3920_: bool;
+    var phi_3987_: f32;
+    var phi_3988_: bool;
+    var phi_3989_: f32;
+    var phi_3990_: bool;
+    var phi_3991_: f32;
+    var phi_3992_: bool;
+    var phi_3993_: bool;
+    var phi_4055_: f32;
+    var phi_4056_: bool;
+    var phi_4057_: f32;
+    var phi_4058_: bool;
+    var phi_4059_: f32;
+    var phi_4060_: bool;
+    var phi_4061_: bool;
+    var phi_4235_: type_14;
+    var phi_4238_: f32;
+    var phi_4236_: type_14;
+    var phi_4279_: type_15;
+    var phi_4239_: f32;
+    var local_9: f32;
+    var phi_4292_: f32;
+    var phi_4563_: bool;
+    var phi_4564_: bool;
+    var phi_4590_: f32;
+    var phi_4591_: f32;
+    var phi_4592_: bool;
+    var phi_4593_: bool;
+    var phi_4594_: f32;
+    var phi_4595_: f32;
+    var phi_4596_: f32;
+    var phi_4597_: f32;
+    var phi_4598_: bool;
+    var phi_4599_: bool;
+    var phi_4600_: bool;
+    var phi_4601_: bool;
+    var phi_4602_: f32;
+    var phi_4603_: f32;
+    var phi_4604_: f32;
+    var phi_4605_: f32;
+    var phi_4606_: bool;
+    var phi_4607_: bool;
+    var phi_4608_: bool;
+    var phi_4609_: bool;
+    var phi_4610_: bool;
+    var phi_4611_: f32;
+    var phi_4612_: f32;
+    var phi_4613_: f32;
+    var phi_4614_: f32;
+    var phi_4615_: bool;
+    var phi_4616_: bool;
+    var phi_4617_: bool;
+    var phi_4618_: bool;
+    var phi_4619_: bool;
+    var phi_4952_: f32;
+    var phi_4954_: u32;
+    var phi_4955_: f32;
+    var phi_4956_: bool;
+    var phi_4957_: bool;
+    var phi_4958_: bool;
+    var phi_4959_: u32;
+    var phi_4960_: f32;
+    var phi_4961_: f32;
+    var phi_4962_: f32;
+    var phi_4963_: f32;
+    var phi_4964_: bool;
+    var phi_4965_: u32;
+    var phi_4966_: bool;
+    var phi_4967_: bool;
+    var phi_4968_: bool;
+    var phi_4969_: bool;
+    var phi_4970_: bool;
+    var phi_4971_: bool;
+    var phi_4999_: f32;
+    var phi_5000_: f32;
+    var phi_5001_: f32;
+    var phi_5002_: f32;
+    var phi_5003_: bool;
+    var phi_5004_: u32;
+    var phi_5005_: bool;
+    var phi_5006_: bool;
+    var phi_5007_: bool;
+    var phi_5008_: bool;
+    var phi_5009_: bool;
+    var phi_5010_: bool;
+    var phi_2832_: f32;
+    var phi_2834_: f32;
+    var phi_2836_: f32;
+    var phi_2838_: f32;
+    var phi_2840_: bool;
+    var phi_2842_: u32;
     var phi_5011_: f32;
-    var phi_5012_: bool;
+    var phi_5012_: f32;
     var phi_5013_: bool;
     var phi_5014_: bool;
     var phi_5015_: bool;
     var phi_5016_: bool;
     var phi_5017_: bool;
     var phi_5018_: bool;
+    var phi_5019_: bool;
     var local_10: bool;
     var local_11: bool;
     var local_12: bool;
@@ -444,135 +444,135 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_22: f32;
     var local_23: f32;
     var local_24: f32;
-    var phi_5085_: f32;
-    var phi_5086_: bool;
-    var phi_5706_: type_14;
-    var phi_5709_: f32;
+    var phi_5086_: f32;
+    var phi_5087_: bool;
     var phi_5707_: type_14;
-    var phi_5750_: type_15;
     var phi_5710_: f32;
+    var phi_5708_: type_14;
+    var phi_5751_: type_15;
+    var phi_5711_: f32;
     var local_25: f32;
-    var phi_5763_: f32;
-    var phi_5998_: type_14;
-    var phi_6001_: f32;
+    var phi_5764_: f32;
     var phi_5999_: type_14;
-    var phi_6042_: type_15;
     var phi_6002_: f32;
+    var phi_6000_: type_14;
+    var phi_6043_: type_15;
+    var phi_6003_: f32;
     var local_26: f32;
-    var phi_6055_: f32;
-    var phi_6087_: type_14;
-    var phi_6090_: f32;
+    var phi_6056_: f32;
     var phi_6088_: type_14;
-    var phi_6131_: type_15;
     var phi_6091_: f32;
+    var phi_6089_: type_14;
+    var phi_6132_: type_15;
+    var phi_6092_: f32;
     var local_27: f32;
-    var phi_6144_: f32;
-    var phi_6452_: type_9;
-    var phi_6455_: f32;
+    var phi_6145_: f32;
+    var phi_6453_: type_9;
     var phi_6456_: f32;
+    var phi_6457_: f32;
     var local_28: f32;
     var local_29: f32;
-    var phi_6554_: type_14;
-    var phi_6557_: f32;
     var phi_6555_: type_14;
-    var phi_6598_: type_15;
     var phi_6558_: f32;
+    var phi_6556_: type_14;
+    var phi_6599_: type_15;
+    var phi_6559_: f32;
     var local_30: f32;
-    var phi_6611_: f32;
-    var phi_6616_: type_9;
-    var phi_6619_: f32;
-    var phi_6621_: bool;
-    var phi_6623_: bool;
-    var phi_6853_: f32;
-    var phi_6854_: f32;
+    var phi_6612_: f32;
+    var phi_6617_: type_9;
     var phi_6620_: f32;
     var phi_6622_: bool;
     var phi_6624_: bool;
+    var phi_6854_: f32;
+    var phi_6855_: f32;
+    var phi_6621_: f32;
+    var phi_6623_: bool;
+    var phi_6625_: bool;
     var local_31: f32;
     var local_32: f32;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
     var local_36: bool;
-    var phi_6869_: type_36;
-    var phi_6870_: bool;
+    var phi_6870_: type_36;
+    var phi_6871_: bool;
     var local_37: bool;
-    var phi_6891_: type_9;
-    var phi_6894_: f32;
-    var phi_6896_: f32;
-    var phi_7003_: f32;
+    var phi_6892_: type_9;
+    var phi_6895_: f32;
+    var phi_6897_: f32;
     var phi_7004_: f32;
     var phi_7005_: f32;
     var phi_7006_: f32;
-    var phi_6895_: f32;
-    var phi_6897_: f32;
+    var phi_7007_: f32;
+    var phi_6896_: f32;
+    var phi_6898_: f32;
     var local_38: f32;
     var local_39: f32;
     var local_40: f32;
-    var phi_7167_: bool;
     var phi_7168_: bool;
     var phi_7169_: bool;
     var phi_7170_: bool;
     var phi_7171_: bool;
     var phi_7172_: bool;
-    var phi_7181_: bool;
+    var phi_7173_: bool;
     var phi_7182_: bool;
-    var phi_7189_: type_36;
+    var phi_7183_: bool;
     var phi_7190_: type_36;
-    var phi_7191_: bool;
-    var phi_7192_: type_36;
+    var phi_7191_: type_36;
+    var phi_7192_: bool;
     var phi_7193_: type_36;
-    var phi_7194_: bool;
-    var phi_7199_: type_36;
+    var phi_7194_: type_36;
+    var phi_7195_: bool;
     var phi_7200_: type_36;
-    var phi_7201_: bool;
-    var phi_7205_: type_36;
+    var phi_7201_: type_36;
+    var phi_7202_: bool;
     var phi_7206_: type_36;
-    var phi_7207_: bool;
+    var phi_7207_: type_36;
     var phi_7208_: bool;
-    var phi_7209_: type_36;
+    var phi_7209_: bool;
     var phi_7210_: type_36;
-    var phi_7211_: bool;
+    var phi_7211_: type_36;
     var phi_7212_: bool;
-    var phi_7246_: f32;
+    var phi_7213_: bool;
     var phi_7247_: f32;
-    var phi_7248_: bool;
+    var phi_7248_: f32;
     var phi_7249_: bool;
     var phi_7250_: bool;
-    var phi_7251_: f32;
-    var phi_7252_: u32;
-    var phi_7253_: f32;
-    var phi_7254_: type_36;
-    var phi_7255_: u32;
+    var phi_7251_: bool;
+    var phi_7252_: f32;
+    var phi_7253_: u32;
+    var phi_7254_: f32;
+    var phi_7255_: type_36;
     var phi_7256_: u32;
-    var phi_7257_: bool;
+    var phi_7257_: u32;
     var phi_7258_: bool;
     var phi_7259_: bool;
-    var phi_7260_: f32;
-    var phi_7261_: u32;
-    var phi_7262_: f32;
-    var phi_7263_: type_36;
-    var phi_7264_: u32;
+    var phi_7260_: bool;
+    var phi_7261_: f32;
+    var phi_7262_: u32;
+    var phi_7263_: f32;
+    var phi_7264_: type_36;
     var phi_7265_: u32;
-    var phi_7266_: bool;
+    var phi_7266_: u32;
     var phi_7267_: bool;
     var phi_7268_: bool;
     var phi_7269_: bool;
     var phi_7270_: bool;
-    var phi_7271_: f32;
-    var phi_2346_: f32;
-    var phi_2348_: u32;
-    var phi_2350_: f32;
-    var phi_7272_: type_36;
-    var phi_7273_: u32;
-    var phi_7274_: f32;
-    var phi_7275_: u32;
-    var phi_7276_: bool;
+    var phi_7271_: bool;
+    var phi_7272_: f32;
+    var phi_2347_: f32;
+    var phi_2349_: u32;
+    var phi_2351_: f32;
+    var phi_7273_: type_36;
+    var phi_7274_: u32;
+    var phi_7275_: f32;
+    var phi_7276_: u32;
     var phi_7277_: bool;
     var phi_7278_: bool;
     var phi_7279_: bool;
     var phi_7280_: bool;
     var phi_7281_: bool;
+    var phi_7282_: bool;
     var local_41: bool;
     var local_42: bool;
     var local_43: bool;
@@ -585,48 +585,48 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_50: type_36;
     var local_51: u32;
     var local_52: type_36;
-    var phi_7310_: type_35;
     var phi_7311_: type_35;
-    var phi_7312_: bool;
+    var phi_7312_: type_35;
     var phi_7313_: bool;
     var phi_7314_: bool;
     var phi_7315_: bool;
+    var phi_7316_: bool;
     var local_53: u32;
     var local_54: u32;
     var local_55: f32;
     var local_56: f32;
     var local_57: f32;
     var local_58: u32;
-    var phi_7347_: type_9;
-    var phi_7522_: type_14;
-    var phi_7525_: f32;
+    var phi_7348_: type_9;
     var phi_7523_: type_14;
-    var phi_7566_: type_15;
     var phi_7526_: f32;
+    var phi_7524_: type_14;
+    var phi_7567_: type_15;
+    var phi_7527_: f32;
     var local_59: f32;
-    var phi_7579_: f32;
-    var phi_7850_: bool;
+    var phi_7580_: f32;
     var phi_7851_: bool;
+    var phi_7852_: bool;
     var local_60: bool;
-    var phi_7863_: type_35;
-    var phi_7864_: bool;
-    var phi_7876_: type_35;
+    var phi_7864_: type_35;
+    var phi_7865_: bool;
     var phi_7877_: type_35;
-    var phi_7878_: bool;
+    var phi_7878_: type_35;
     var phi_7879_: bool;
-    var phi_7886_: type_35;
-    var phi_7887_: bool;
-    var phi_7891_: type_35;
+    var phi_7880_: bool;
+    var phi_7887_: type_35;
+    var phi_7888_: bool;
     var phi_7892_: type_35;
-    var phi_7893_: bool;
-    var phi_7897_: type_35;
-    var phi_7915_: type_32;
-    var phi_7955_: bool;
-    var phi_7971_: bool;
-    var phi_7998_: type_9;
-    var phi_8027_: bool;
+    var phi_7893_: type_35;
+    var phi_7894_: bool;
+    var phi_7898_: type_35;
+    var phi_7916_: type_32;
+    var phi_7956_: bool;
+    var phi_7972_: bool;
+    var phi_7999_: type_9;
     var phi_8028_: bool;
-    var phi_8071_: u32;
+    var phi_8029_: bool;
+    var phi_8073_: u32;
     var local_61: bool;
     var local_62: bool;
     var id_2: vec3<u32>;
@@ -636,2385 +636,2385 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e100 = id_2;
-    let _e101 = n_2;
-    let _e102 = lane_2;
-    let _e113 = ((_e100.y * _e101.x) + _e100.x);
-    let _e116 = (_e101.x * _e101.y);
-    let _e119 = params.member.member_1.member_2;
-    let _e121 = input.member[0u];
-    let _e123 = select(_e121, _e119, (_e119 < _e121));
-    let _e125 = params.member.member_1.member_1;
-    if (_e123 > _e125) {
-        let _e128 = params.member.member_1.member_1;
-        phi_236_ = (_e123 - _e128);
+    let _e101 = id_2;
+    let _e102 = n_2;
+    let _e103 = lane_2;
+    let _e114 = ((_e101.y * _e102.x) + _e101.x);
+    let _e117 = (_e102.x * _e102.y);
+    let _e120 = params.member.member_1.member_2;
+    let _e122 = input.member[0u];
+    let _e124 = select(_e122, _e120, (_e120 < _e122));
+    let _e126 = params.member.member_1.member_1;
+    if (_e124 > _e126) {
+        let _e129 = params.member.member_1.member_1;
+        phi_237_ = (_e124 - _e129);
     } else {
-        phi_236_ = 0u;
+        phi_237_ = 0u;
     }
-    let _e131 = phi_236_;
-    let _e133 = params.member.member_1.member;
-    let _e135 = select(_e131, _e133, (_e133 < _e131));
-    let _e136 = (_e135 / 64u);
-    let _e140 = select(_e136, (_e136 + 1u), ((_e135 % 64u) > 0u));
-    if (_e140 > _e113) {
-        let _e142 = (_e140 - _e113);
-        if (_e116 == 0u) {
+    let _e132 = phi_237_;
+    let _e134 = params.member.member_1.member;
+    let _e136 = select(_e132, _e134, (_e134 < _e132));
+    let _e137 = (_e136 / 64u);
+    let _e141 = select(_e137, (_e137 + 1u), ((_e136 % 64u) > 0u));
+    if (_e141 > _e114) {
+        let _e143 = (_e141 - _e114);
+        if (_e117 == 0u) {
             return;
         }
-        let _e144 = (_e142 / _e116);
-        if (_e116 == 0u) {
+        let _e145 = (_e143 / _e117);
+        if (_e117 == 0u) {
             return;
         }
-        phi_281_ = select(_e144, (_e144 + 1u), ((_e142 % _e116) > 0u));
+        phi_282_ = select(_e145, (_e145 + 1u), ((_e143 % _e117) > 0u));
     } else {
-        phi_281_ = 0u;
+        phi_282_ = 0u;
     }
-    let _e151 = phi_281_;
-    phi_284_ = type_9(0u, _e151);
+    let _e152 = phi_282_;
+    phi_285_ = type_9(0u, _e152);
     loop {
-        let _e154 = phi_284_;
-        let _e157 = (_e154.member < _e154.member_1);
-        let _e170 = (bitcast<i32>(select(0u, 1u, _e157)) != 0i);
-        if _e170 {
-            let _e174 = (((_e113 + (select(type_9().member_1, _e154.member, _e157) * _e116)) * 64u) + _e102);
+        let _e155 = phi_285_;
+        let _e158 = (_e155.member < _e155.member_1);
+        let _e171 = (bitcast<i32>(select(0u, 1u, _e158)) != 0i);
+        if _e171 {
+            let _e175 = (((_e114 + (select(type_9().member_1, _e155.member, _e158) * _e117)) * 64u) + _e103);
             local_6 = type_32(0u, 0u, array<u32, 2>(0u, 0u), false);
-            if (_e174 < _e135) {
-                let _e178 = params.member.member_1.member_1;
-                let _e180 = (2u * (_e178 + _e174));
-                let _e183 = input.member[(4u + _e180)];
-                let _e186 = input.member[(_e180 + 5u)];
-                let _e191 = (_e186 & 2147483647u);
-                if (select(1u, 0u, ((_e186 & 2147483648u) == 0u)) == 0u) {
-                    let _e210 = params.member.member.member[1u];
-                    let _e213 = ((2u * _e210) + (3u * _e191));
-                    let _e215 = elements.member[_e213];
-                    let _e218 = elements.member[(_e213 + 1u)];
-                    let _e221 = elements.member[(_e213 + 2u)];
-                    phi_458_ = type_22(0u, array<u32, 4>(_e183, _e215, _e218, _e221));
+            if (_e175 < _e136) {
+                let _e179 = params.member.member_1.member_1;
+                let _e181 = (2u * (_e179 + _e175));
+                let _e184 = input.member[(4u + _e181)];
+                let _e187 = input.member[(_e181 + 5u)];
+                let _e192 = (_e187 & 2147483647u);
+                if (select(1u, 0u, ((_e187 & 2147483648u) == 0u)) == 0u) {
+                    let _e211 = params.member.member.member[1u];
+                    let _e214 = ((2u * _e211) + (3u * _e192));
+                    let _e216 = elements.member[_e214];
+                    let _e219 = elements.member[(_e214 + 1u)];
+                    let _e222 = elements.member[(_e214 + 2u)];
+                    phi_459_ = type_22(0u, array<u32, 4>(_e184, _e216, _e219, _e222));
                 } else {
-                    let _e194 = (2u * _e183);
-                    let _e196 = elements.member[_e194];
-                    let _e199 = elements.member[(_e194 + 1u)];
-                    let _e200 = (2u * _e191);
-                    let _e202 = elements.member[_e200];
-                    let _e205 = elements.member[(_e200 + 1u)];
-                    phi_458_ = type_22(1u, array<u32, 4>(_e196, _e199, _e202, _e205));
+                    let _e195 = (2u * _e184);
+                    let _e197 = elements.member[_e195];
+                    let _e200 = elements.member[(_e195 + 1u)];
+                    let _e201 = (2u * _e192);
+                    let _e203 = elements.member[_e201];
+                    let _e206 = elements.member[(_e201 + 1u)];
+                    phi_459_ = type_22(1u, array<u32, 4>(_e197, _e200, _e203, _e206));
                 }
-                let _e225 = phi_458_;
-                let _e230 = paths.member[_e225.member_1[0]];
-                let _e245 = paths.member[_e225.member_1[1]];
-                let _e260 = paths.member[_e225.member_1[2]];
-                let _e275 = paths.member[_e225.member_1[3]];
-                let _e289 = params.member.member.member_4;
-                if (_e225.member != 0u) {
-                    phi_593_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e260.member.x - _e230.member.x), (_e260.member.y - _e230.member.y), (_e260.member.z - _e230.member.z)), array<f32, 3>((_e260.member_1.x - _e230.member_1.x), (_e260.member_1.y - _e230.member_1.y), (_e260.member_1.z - _e230.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e245.member.x - _e230.member.x), (_e245.member.y - _e230.member.y), (_e245.member.z - _e230.member.z)), array<f32, 3>((_e245.member_1.x - _e230.member_1.x), (_e245.member_1.y - _e230.member_1.y), (_e245.member_1.z - _e230.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e260.member.x - _e275.member.x), (_e260.member.y - _e275.member.y), (_e260.member.z - _e275.member.z)), array<f32, 3>((_e260.member_1.x - _e275.member_1.x), (_e260.member_1.y - _e275.member_1.y), (_e260.member_1.z - _e275.member_1.z))), (_e289 + _e289));
+                let _e226 = phi_459_;
+                let _e231 = paths.member[_e226.member_1[0]];
+                let _e246 = paths.member[_e226.member_1[1]];
+                let _e261 = paths.member[_e226.member_1[2]];
+                let _e276 = paths.member[_e226.member_1[3]];
+                let _e290 = params.member.member.member_4;
+                if (_e226.member != 0u) {
+                    phi_594_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e261.member.x - _e231.member.x), (_e261.member.y - _e231.member.y), (_e261.member.z - _e231.member.z)), array<f32, 3>((_e261.member_1.x - _e231.member_1.x), (_e261.member_1.y - _e231.member_1.y), (_e261.member_1.z - _e231.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e246.member.x - _e231.member.x), (_e246.member.y - _e231.member.y), (_e246.member.z - _e231.member.z)), array<f32, 3>((_e246.member_1.x - _e231.member_1.x), (_e246.member_1.y - _e231.member_1.y), (_e246.member_1.z - _e231.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e261.member.x - _e276.member.x), (_e261.member.y - _e276.member.y), (_e261.member.z - _e276.member.z)), array<f32, 3>((_e261.member_1.x - _e276.member_1.x), (_e261.member_1.y - _e276.member_1.y), (_e261.member_1.z - _e276.member_1.z))), (_e290 + _e290));
                 } else {
-                    phi_593_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e230.member.x - _e245.member.x), (_e230.member.y - _e245.member.y), (_e230.member.z - _e245.member.z)), array<f32, 3>((_e230.member_1.x - _e245.member_1.x), (_e230.member_1.y - _e245.member_1.y), (_e230.member_1.z - _e245.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e260.member.x - _e245.member.x), (_e260.member.y - _e245.member.y), (_e260.member.z - _e245.member.z)), array<f32, 3>((_e260.member_1.x - _e245.member_1.x), (_e260.member_1.y - _e245.member_1.y), (_e260.member_1.z - _e245.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e275.member.x - _e245.member.x), (_e275.member.y - _e245.member.y), (_e275.member.z - _e245.member.z)), array<f32, 3>((_e275.member_1.x - _e245.member_1.x), (_e275.member_1.y - _e245.member_1.y), (_e275.member_1.z - _e245.member_1.z))), (_e289 + _e289));
+                    phi_594_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e231.member.x - _e246.member.x), (_e231.member.y - _e246.member.y), (_e231.member.z - _e246.member.z)), array<f32, 3>((_e231.member_1.x - _e246.member_1.x), (_e231.member_1.y - _e246.member_1.y), (_e231.member_1.z - _e246.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e261.member.x - _e246.member.x), (_e261.member.y - _e246.member.y), (_e261.member.z - _e246.member.z)), array<f32, 3>((_e261.member_1.x - _e246.member_1.x), (_e261.member_1.y - _e246.member_1.y), (_e261.member_1.z - _e246.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e276.member.x - _e246.member.x), (_e276.member.y - _e246.member.y), (_e276.member.z - _e246.member.z)), array<f32, 3>((_e276.member_1.x - _e246.member_1.x), (_e276.member_1.y - _e246.member_1.y), (_e276.member_1.z - _e246.member_1.z))), (_e290 + _e290));
                 }
-                let _e350 = phi_593_;
-                let _e352 = params.member.member.member_12;
-                let _e353 = bitcast<u32>(_e352);
-                let _e354 = (_e353 & 2147483647u);
-                let _e355 = (_e354 < 8388608u);
-                let _e367 = params.member.member.member_15[0u];
-                if (select((_e353 << bitcast<u32>(29i)), 0u, _e355) == _e367) {
-                    let _e371 = params.member.member.member_15[1u];
-                    phi_622_ = (select(((_e353 ^ _e354) | ((_e354 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e355) == _e371);
+                let _e351 = phi_594_;
+                let _e353 = params.member.member.member_12;
+                let _e354 = bitcast<u32>(_e353);
+                let _e355 = (_e354 & 2147483647u);
+                let _e356 = (_e355 < 8388608u);
+                let _e368 = params.member.member.member_15[0u];
+                if (select((_e354 << bitcast<u32>(29i)), 0u, _e356) == _e368) {
+                    let _e372 = params.member.member.member_15[1u];
+                    phi_623_ = (select(((_e354 ^ _e355) | ((_e355 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e356) == _e372);
                 } else {
-                    phi_622_ = false;
+                    phi_623_ = false;
                 }
-                let _e374 = phi_622_;
-                let _e376 = params.member.member.member_5;
-                let _e378 = params.member.member.member_11;
-                let _e380 = params.member.member.member_12;
-                let _e382 = params.member.member.member_13;
-                let _e384 = params.member.member.member_1;
-                let _e393 = select(_e350.member[0][0], -(_e350.member[0][0]), (_e350.member[0][0] < 0f));
-                let _e397 = select(_e350.member[0][1], -(_e350.member[0][1]), (_e350.member[0][1] < 0f));
-                let _e399 = select(_e397, _e393, (_e393 > _e397));
-                let _e403 = select(_e350.member[0][2], -(_e350.member[0][2]), (_e350.member[0][2] < 0f));
-                let _e405 = select(_e403, _e399, (_e399 > _e403));
-                let _e411 = select(_e350.member[1][0], -(_e350.member[1][0]), (_e350.member[1][0] < 0f));
-                let _e415 = select(_e350.member[1][1], -(_e350.member[1][1]), (_e350.member[1][1] < 0f));
-                let _e417 = select(_e415, _e411, (_e411 > _e415));
-                let _e421 = select(_e350.member[1][2], -(_e350.member[1][2]), (_e350.member[1][2] < 0f));
-                let _e423 = select(_e421, _e417, (_e417 > _e421));
-                let _e427 = (select(_e423, _e405, (_e405 > _e423)) + _e350.member_3);
-                let _e433 = select(_e350.member_1[0][0], -(_e350.member_1[0][0]), (_e350.member_1[0][0] < 0f));
-                let _e437 = select(_e350.member_1[0][1], -(_e350.member_1[0][1]), (_e350.member_1[0][1] < 0f));
-                let _e439 = select(_e437, _e433, (_e433 > _e437));
-                let _e443 = select(_e350.member_1[0][2], -(_e350.member_1[0][2]), (_e350.member_1[0][2] < 0f));
-                let _e445 = select(_e443, _e439, (_e439 > _e443));
-                let _e451 = select(_e350.member_1[1][0], -(_e350.member_1[1][0]), (_e350.member_1[1][0] < 0f));
-                let _e455 = select(_e350.member_1[1][1], -(_e350.member_1[1][1]), (_e350.member_1[1][1] < 0f));
-                let _e457 = select(_e455, _e451, (_e451 > _e455));
-                let _e461 = select(_e350.member_1[1][2], -(_e350.member_1[1][2]), (_e350.member_1[1][2] < 0f));
-                let _e463 = select(_e461, _e457, (_e457 > _e461));
-                let _e467 = (select(_e463, _e445, (_e445 > _e463)) + _e350.member_3);
-                let _e473 = select(_e350.member_2[0][0], -(_e350.member_2[0][0]), (_e350.member_2[0][0] < 0f));
-                let _e477 = select(_e350.member_2[0][1], -(_e350.member_2[0][1]), (_e350.member_2[0][1] < 0f));
-                let _e479 = select(_e477, _e473, (_e473 > _e477));
-                let _e483 = select(_e350.member_2[0][2], -(_e350.member_2[0][2]), (_e350.member_2[0][2] < 0f));
-                let _e485 = select(_e483, _e479, (_e479 > _e483));
-                let _e491 = select(_e350.member_2[1][0], -(_e350.member_2[1][0]), (_e350.member_2[1][0] < 0f));
-                let _e495 = select(_e350.member_2[1][1], -(_e350.member_2[1][1]), (_e350.member_2[1][1] < 0f));
-                let _e497 = select(_e495, _e491, (_e491 > _e495));
-                let _e501 = select(_e350.member_2[1][2], -(_e350.member_2[1][2]), (_e350.member_2[1][2] < 0f));
-                let _e503 = select(_e501, _e497, (_e497 > _e501));
-                let _e507 = (select(_e503, _e485, (_e485 > _e503)) + _e350.member_3);
-                let _e509 = select(_e467, _e427, (_e427 > _e467));
-                let _e511 = select(_e507, _e509, (_e509 > _e507));
-                let _e517 = select(_e350.member[0][0], -(_e350.member[0][0]), (_e350.member[0][0] < 0f));
-                let _e521 = select(_e350.member[0][1], -(_e350.member[0][1]), (_e350.member[0][1] < 0f));
-                let _e523 = select(_e521, _e517, (_e517 > _e521));
-                let _e527 = select(_e350.member[0][2], -(_e350.member[0][2]), (_e350.member[0][2] < 0f));
-                let _e529 = select(_e527, _e523, (_e523 > _e527));
-                let _e535 = select(_e350.member[1][0], -(_e350.member[1][0]), (_e350.member[1][0] < 0f));
-                let _e539 = select(_e350.member[1][1], -(_e350.member[1][1]), (_e350.member[1][1] < 0f));
-                let _e541 = select(_e539, _e535, (_e535 > _e539));
-                let _e545 = select(_e350.member[1][2], -(_e350.member[1][2]), (_e350.member[1][2] < 0f));
-                let _e547 = select(_e545, _e541, (_e541 > _e545));
-                let _e551 = (select(_e547, _e529, (_e529 > _e547)) + _e350.member_3);
-                let _e557 = select(_e350.member_1[0][0], -(_e350.member_1[0][0]), (_e350.member_1[0][0] < 0f));
-                let _e561 = select(_e350.member_1[0][1], -(_e350.member_1[0][1]), (_e350.member_1[0][1] < 0f));
-                let _e563 = select(_e561, _e557, (_e557 > _e561));
-                let _e567 = select(_e350.member_1[0][2], -(_e350.member_1[0][2]), (_e350.member_1[0][2] < 0f));
-                let _e569 = select(_e567, _e563, (_e563 > _e567));
-                let _e575 = select(_e350.member_1[1][0], -(_e350.member_1[1][0]), (_e350.member_1[1][0] < 0f));
-                let _e579 = select(_e350.member_1[1][1], -(_e350.member_1[1][1]), (_e350.member_1[1][1] < 0f));
-                let _e581 = select(_e579, _e575, (_e575 > _e579));
-                let _e585 = select(_e350.member_1[1][2], -(_e350.member_1[1][2]), (_e350.member_1[1][2] < 0f));
-                let _e587 = select(_e585, _e581, (_e581 > _e585));
-                let _e591 = (select(_e587, _e569, (_e569 > _e587)) + _e350.member_3);
-                let _e597 = select(_e350.member_2[0][0], -(_e350.member_2[0][0]), (_e350.member_2[0][0] < 0f));
-                let _e601 = select(_e350.member_2[0][1], -(_e350.member_2[0][1]), (_e350.member_2[0][1] < 0f));
-                let _e603 = select(_e601, _e597, (_e597 > _e601));
-                let _e607 = select(_e350.member_2[0][2], -(_e350.member_2[0][2]), (_e350.member_2[0][2] < 0f));
-                let _e609 = select(_e607, _e603, (_e603 > _e607));
-                let _e615 = select(_e350.member_2[1][0], -(_e350.member_2[1][0]), (_e350.member_2[1][0] < 0f));
-                let _e619 = select(_e350.member_2[1][1], -(_e350.member_2[1][1]), (_e350.member_2[1][1] < 0f));
-                let _e621 = select(_e619, _e615, (_e615 > _e619));
-                let _e625 = select(_e350.member_2[1][2], -(_e350.member_2[1][2]), (_e350.member_2[1][2] < 0f));
-                let _e627 = select(_e625, _e621, (_e621 > _e625));
-                let _e631 = (select(_e627, _e609, (_e609 > _e627)) + _e350.member_3);
-                let _e633 = select(_e591, _e551, (_e551 > _e591));
-                let _e635 = select(_e631, _e633, (_e633 > _e631));
-                if (_e635 <= 65536f) {
-                    phi_1093_ = (_e635 >= (1f / 65536f));
+                let _e375 = phi_623_;
+                let _e377 = params.member.member.member_5;
+                let _e379 = params.member.member.member_11;
+                let _e381 = params.member.member.member_12;
+                let _e383 = params.member.member.member_13;
+                let _e385 = params.member.member.member_1;
+                let _e394 = select(_e351.member[0][0], -(_e351.member[0][0]), (_e351.member[0][0] < 0f));
+                let _e398 = select(_e351.member[0][1], -(_e351.member[0][1]), (_e351.member[0][1] < 0f));
+                let _e400 = select(_e398, _e394, (_e394 > _e398));
+                let _e404 = select(_e351.member[0][2], -(_e351.member[0][2]), (_e351.member[0][2] < 0f));
+                let _e406 = select(_e404, _e400, (_e400 > _e404));
+                let _e412 = select(_e351.member[1][0], -(_e351.member[1][0]), (_e351.member[1][0] < 0f));
+                let _e416 = select(_e351.member[1][1], -(_e351.member[1][1]), (_e351.member[1][1] < 0f));
+                let _e418 = select(_e416, _e412, (_e412 > _e416));
+                let _e422 = select(_e351.member[1][2], -(_e351.member[1][2]), (_e351.member[1][2] < 0f));
+                let _e424 = select(_e422, _e418, (_e418 > _e422));
+                let _e428 = (select(_e424, _e406, (_e406 > _e424)) + _e351.member_3);
+                let _e434 = select(_e351.member_1[0][0], -(_e351.member_1[0][0]), (_e351.member_1[0][0] < 0f));
+                let _e438 = select(_e351.member_1[0][1], -(_e351.member_1[0][1]), (_e351.member_1[0][1] < 0f));
+                let _e440 = select(_e438, _e434, (_e434 > _e438));
+                let _e444 = select(_e351.member_1[0][2], -(_e351.member_1[0][2]), (_e351.member_1[0][2] < 0f));
+                let _e446 = select(_e444, _e440, (_e440 > _e444));
+                let _e452 = select(_e351.member_1[1][0], -(_e351.member_1[1][0]), (_e351.member_1[1][0] < 0f));
+                let _e456 = select(_e351.member_1[1][1], -(_e351.member_1[1][1]), (_e351.member_1[1][1] < 0f));
+                let _e458 = select(_e456, _e452, (_e452 > _e456));
+                let _e462 = select(_e351.member_1[1][2], -(_e351.member_1[1][2]), (_e351.member_1[1][2] < 0f));
+                let _e464 = select(_e462, _e458, (_e458 > _e462));
+                let _e468 = (select(_e464, _e446, (_e446 > _e464)) + _e351.member_3);
+                let _e474 = select(_e351.member_2[0][0], -(_e351.member_2[0][0]), (_e351.member_2[0][0] < 0f));
+                let _e478 = select(_e351.member_2[0][1], -(_e351.member_2[0][1]), (_e351.member_2[0][1] < 0f));
+                let _e480 = select(_e478, _e474, (_e474 > _e478));
+                let _e484 = select(_e351.member_2[0][2], -(_e351.member_2[0][2]), (_e351.member_2[0][2] < 0f));
+                let _e486 = select(_e484, _e480, (_e480 > _e484));
+                let _e492 = select(_e351.member_2[1][0], -(_e351.member_2[1][0]), (_e351.member_2[1][0] < 0f));
+                let _e496 = select(_e351.member_2[1][1], -(_e351.member_2[1][1]), (_e351.member_2[1][1] < 0f));
+                let _e498 = select(_e496, _e492, (_e492 > _e496));
+                let _e502 = select(_e351.member_2[1][2], -(_e351.member_2[1][2]), (_e351.member_2[1][2] < 0f));
+                let _e504 = select(_e502, _e498, (_e498 > _e502));
+                let _e508 = (select(_e504, _e486, (_e486 > _e504)) + _e351.member_3);
+                let _e510 = select(_e468, _e428, (_e428 > _e468));
+                let _e512 = select(_e508, _e510, (_e510 > _e508));
+                let _e518 = select(_e351.member[0][0], -(_e351.member[0][0]), (_e351.member[0][0] < 0f));
+                let _e522 = select(_e351.member[0][1], -(_e351.member[0][1]), (_e351.member[0][1] < 0f));
+                let _e524 = select(_e522, _e518, (_e518 > _e522));
+                let _e528 = select(_e351.member[0][2], -(_e351.member[0][2]), (_e351.member[0][2] < 0f));
+                let _e530 = select(_e528, _e524, (_e524 > _e528));
+                let _e536 = select(_e351.member[1][0], -(_e351.member[1][0]), (_e351.member[1][0] < 0f));
+                let _e540 = select(_e351.member[1][1], -(_e351.member[1][1]), (_e351.member[1][1] < 0f));
+                let _e542 = select(_e540, _e536, (_e536 > _e540));
+                let _e546 = select(_e351.member[1][2], -(_e351.member[1][2]), (_e351.member[1][2] < 0f));
+                let _e548 = select(_e546, _e542, (_e542 > _e546));
+                let _e552 = (select(_e548, _e530, (_e530 > _e548)) + _e351.member_3);
+                let _e558 = select(_e351.member_1[0][0], -(_e351.member_1[0][0]), (_e351.member_1[0][0] < 0f));
+                let _e562 = select(_e351.member_1[0][1], -(_e351.member_1[0][1]), (_e351.member_1[0][1] < 0f));
+                let _e564 = select(_e562, _e558, (_e558 > _e562));
+                let _e568 = select(_e351.member_1[0][2], -(_e351.member_1[0][2]), (_e351.member_1[0][2] < 0f));
+                let _e570 = select(_e568, _e564, (_e564 > _e568));
+                let _e576 = select(_e351.member_1[1][0], -(_e351.member_1[1][0]), (_e351.member_1[1][0] < 0f));
+                let _e580 = select(_e351.member_1[1][1], -(_e351.member_1[1][1]), (_e351.member_1[1][1] < 0f));
+                let _e582 = select(_e580, _e576, (_e576 > _e580));
+                let _e586 = select(_e351.member_1[1][2], -(_e351.member_1[1][2]), (_e351.member_1[1][2] < 0f));
+                let _e588 = select(_e586, _e582, (_e582 > _e586));
+                let _e592 = (select(_e588, _e570, (_e570 > _e588)) + _e351.member_3);
+                let _e598 = select(_e351.member_2[0][0], -(_e351.member_2[0][0]), (_e351.member_2[0][0] < 0f));
+                let _e602 = select(_e351.member_2[0][1], -(_e351.member_2[0][1]), (_e351.member_2[0][1] < 0f));
+                let _e604 = select(_e602, _e598, (_e598 > _e602));
+                let _e608 = select(_e351.member_2[0][2], -(_e351.member_2[0][2]), (_e351.member_2[0][2] < 0f));
+                let _e610 = select(_e608, _e604, (_e604 > _e608));
+                let _e616 = select(_e351.member_2[1][0], -(_e351.member_2[1][0]), (_e351.member_2[1][0] < 0f));
+                let _e620 = select(_e351.member_2[1][1], -(_e351.member_2[1][1]), (_e351.member_2[1][1] < 0f));
+                let _e622 = select(_e620, _e616, (_e616 > _e620));
+                let _e626 = select(_e351.member_2[1][2], -(_e351.member_2[1][2]), (_e351.member_2[1][2] < 0f));
+                let _e628 = select(_e626, _e622, (_e622 > _e626));
+                let _e632 = (select(_e628, _e610, (_e610 > _e628)) + _e351.member_3);
+                let _e634 = select(_e592, _e552, (_e552 > _e592));
+                let _e636 = select(_e632, _e634, (_e634 > _e632));
+                if (_e636 <= 65536f) {
+                    phi_1094_ = (_e636 >= (1f / 65536f));
                 } else {
-                    phi_1093_ = false;
+                    phi_1094_ = false;
                 }
-                let _e640 = phi_1093_;
-                if _e640 {
-                    phi_1191_ = type_33();
-                    phi_1192_ = true;
+                let _e641 = phi_1094_;
+                if _e641 {
+                    phi_1192_ = type_33();
+                    phi_1193_ = true;
                 } else {
-                    if (_e511 >= 0.000000000000000000000000000000000000011754944f) {
-                        if ((bitcast<u32>(_e511) & 2139095040u) != 2139095040u) {
-                            let _e647 = (2130706432u - (bitcast<u32>(_e511) & 2139095040u));
-                            let _e650 = bitcast<f32>(select(8388608u, _e647, (_e647 > 8388608u)));
-                            let _e651 = (_e376 * _e650);
-                            phi_1187_ = type_33(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e350.member[0][0] * _e650), (_e350.member[0][1] * _e650), (_e350.member[0][2] * _e650)), array<f32, 3>((_e350.member[1][0] * _e650), (_e350.member[1][1] * _e650), (_e350.member[1][2] * _e650))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_1[0][0] * _e650), (_e350.member_1[0][1] * _e650), (_e350.member_1[0][2] * _e650)), array<f32, 3>((_e350.member_1[1][0] * _e650), (_e350.member_1[1][1] * _e650), (_e350.member_1[1][2] * _e650))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_2[0][0] * _e650), (_e350.member_2[0][1] * _e650), (_e350.member_2[0][2] * _e650)), array<f32, 3>((_e350.member_2[1][0] * _e650), (_e350.member_2[1][1] * _e650), (_e350.member_2[1][2] * _e650))), ((_e350.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e650)), select(_e651, select(0.000000000000000000000000000000000000011754944f, _e651, (_e651 > 0.000000000000000000000000000000000000011754944f)), (_e376 > 0f)));
-                            phi_1188_ = false;
+                    if (_e512 >= 0.000000000000000000000000000000000000011754944f) {
+                        if ((bitcast<u32>(_e512) & 2139095040u) != 2139095040u) {
+                            let _e648 = (2130706432u - (bitcast<u32>(_e512) & 2139095040u));
+                            let _e651 = bitcast<f32>(select(8388608u, _e648, (_e648 > 8388608u)));
+                            let _e652 = (_e377 * _e651);
+                            phi_1188_ = type_33(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e351.member[0][0] * _e651), (_e351.member[0][1] * _e651), (_e351.member[0][2] * _e651)), array<f32, 3>((_e351.member[1][0] * _e651), (_e351.member[1][1] * _e651), (_e351.member[1][2] * _e651))), array<array<f32, 3>, 2>(array<f32, 3>((_e351.member_1[0][0] * _e651), (_e351.member_1[0][1] * _e651), (_e351.member_1[0][2] * _e651)), array<f32, 3>((_e351.member_1[1][0] * _e651), (_e351.member_1[1][1] * _e651), (_e351.member_1[1][2] * _e651))), array<array<f32, 3>, 2>(array<f32, 3>((_e351.member_2[0][0] * _e651), (_e351.member_2[0][1] * _e651), (_e351.member_2[0][2] * _e651)), array<f32, 3>((_e351.member_2[1][0] * _e651), (_e351.member_2[1][1] * _e651), (_e351.member_2[1][2] * _e651))), ((_e351.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e651)), select(_e652, select(0.000000000000000000000000000000000000011754944f, _e652, (_e652 > 0.000000000000000000000000000000000000011754944f)), (_e377 > 0f)));
+                            phi_1189_ = false;
                         } else {
-                            phi_1187_ = type_33();
-                            phi_1188_ = true;
+                            phi_1188_ = type_33();
+                            phi_1189_ = true;
                         }
-                        let _e720 = phi_1187_;
-                        let _e722 = phi_1188_;
-                        phi_1189_ = _e720;
-                        phi_1190_ = _e722;
+                        let _e721 = phi_1188_;
+                        let _e723 = phi_1189_;
+                        phi_1190_ = _e721;
+                        phi_1191_ = _e723;
                     } else {
-                        phi_1189_ = type_33();
-                        phi_1190_ = true;
+                        phi_1190_ = type_33();
+                        phi_1191_ = true;
                     }
-                    let _e724 = phi_1189_;
-                    let _e726 = phi_1190_;
-                    phi_1191_ = _e724;
-                    phi_1192_ = _e726;
+                    let _e725 = phi_1190_;
+                    let _e727 = phi_1191_;
+                    phi_1192_ = _e725;
+                    phi_1193_ = _e727;
                 }
-                let _e728 = phi_1191_;
-                let _e730 = phi_1192_;
-                if _e730 {
-                    phi_1197_ = type_33(_e350, _e376);
+                let _e729 = phi_1192_;
+                let _e731 = phi_1193_;
+                if _e731 {
+                    phi_1198_ = type_33(_e351, _e377);
                 } else {
-                    phi_1197_ = _e728;
+                    phi_1198_ = _e729;
                 }
-                let _e733 = phi_1197_;
-                local_5 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e733.member.member[0][0], _e733.member.member[0][1], _e733.member.member[0][2]), array<f32, 3>(_e733.member.member[1][0], _e733.member.member[1][1], _e733.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e733.member.member_1[0][0], _e733.member.member_1[0][1], _e733.member.member_1[0][2]), array<f32, 3>(_e733.member.member_1[1][0], _e733.member.member_1[1][1], _e733.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e733.member.member_2[0][0], _e733.member.member_2[0][1], _e733.member.member_2[0][2]), array<f32, 3>(_e733.member.member_2[1][0], _e733.member.member_2[1][1], _e733.member.member_2[1][2])), _e733.member.member_3);
-                let _e776 = local_5.member[0u];
-                let _e782 = local_5.member[1u];
-                let _e798 = local_5.member_1[0u];
-                let _e804 = local_5.member_1[1u];
-                let _e820 = local_5.member_2[0u];
-                let _e826 = local_5.member_2[1u];
-                let _e840 = function_3(array<f32, 3>((_e776[0] + ((_e782[0] - _e776[0]) * _e380)), (_e776[1] + ((_e782[1] - _e776[1]) * _e380)), (_e776[2] + ((_e782[2] - _e776[2]) * _e380))), array<f32, 3>((_e798[0] + ((_e804[0] - _e798[0]) * _e380)), (_e798[1] + ((_e804[1] - _e798[1]) * _e380)), (_e798[2] + ((_e804[2] - _e798[2]) * _e380))), array<f32, 3>((_e820[0] + ((_e826[0] - _e820[0]) * _e380)), (_e820[1] + ((_e826[1] - _e820[1]) * _e380)), (_e820[2] + ((_e826[2] - _e820[2]) * _e380))), _e225.member);
-                let _e851 = (((_e840[0] * _e840[0]) + (_e840[1] * _e840[1])) + (_e840[2] * _e840[2]));
-                if (_e851 <= 0.000000000000000000000000000000000000011754944f) {
-                    phi_1424_ = select(0f, (0.000000000000000000106433627f * 2f), (_e851 > 0f));
+                let _e734 = phi_1198_;
+                local_5 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e734.member.member[0][0], _e734.member.member[0][1], _e734.member.member[0][2]), array<f32, 3>(_e734.member.member[1][0], _e734.member.member[1][1], _e734.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e734.member.member_1[0][0], _e734.member.member_1[0][1], _e734.member.member_1[0][2]), array<f32, 3>(_e734.member.member_1[1][0], _e734.member.member_1[1][1], _e734.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e734.member.member_2[0][0], _e734.member.member_2[0][1], _e734.member.member_2[0][2]), array<f32, 3>(_e734.member.member_2[1][0], _e734.member.member_2[1][1], _e734.member.member_2[1][2])), _e734.member.member_3);
+                let _e777 = local_5.member[0u];
+                let _e783 = local_5.member[1u];
+                let _e799 = local_5.member_1[0u];
+                let _e805 = local_5.member_1[1u];
+                let _e821 = local_5.member_2[0u];
+                let _e827 = local_5.member_2[1u];
+                let _e841 = function_3(array<f32, 3>((_e777[0] + ((_e783[0] - _e777[0]) * _e381)), (_e777[1] + ((_e783[1] - _e777[1]) * _e381)), (_e777[2] + ((_e783[2] - _e777[2]) * _e381))), array<f32, 3>((_e799[0] + ((_e805[0] - _e799[0]) * _e381)), (_e799[1] + ((_e805[1] - _e799[1]) * _e381)), (_e799[2] + ((_e805[2] - _e799[2]) * _e381))), array<f32, 3>((_e821[0] + ((_e827[0] - _e821[0]) * _e381)), (_e821[1] + ((_e827[1] - _e821[1]) * _e381)), (_e821[2] + ((_e827[2] - _e821[2]) * _e381))), _e226.member);
+                let _e852 = (((_e841[0] * _e841[0]) + (_e841[1] * _e841[1])) + (_e841[2] * _e841[2]));
+                if (_e852 <= 0.000000000000000000000000000000000000011754944f) {
+                    phi_1425_ = select(0f, (0.000000000000000000106433627f * 2f), (_e852 > 0f));
                 } else {
-                    phi_1367_ = type_14(0i, 5i);
-                    phi_1370_ = bitcast<f32>(((bitcast<u32>(_e851) >> bitcast<u32>(1i)) + 532369198u));
+                    phi_1368_ = type_14(0i, 5i);
+                    phi_1371_ = bitcast<f32>(((bitcast<u32>(_e852) >> bitcast<u32>(1i)) + 532369198u));
                     loop {
-                        let _e859 = phi_1367_;
-                        let _e861 = phi_1370_;
-                        local_7 = _e861;
-                        if (_e859.member < _e859.member_1) {
-                            let _e868 = (_e859.member + 1i);
-                            phi_1368_ = type_14(select(_e868, type_15().member_1, select(false, true, ((false == (_e868 > _e859.member)) != false))), _e859.member_1);
-                            phi_1411_ = type_15(1u, _e859.member);
+                        let _e860 = phi_1368_;
+                        let _e862 = phi_1371_;
+                        local_7 = _e862;
+                        if (_e860.member < _e860.member_1) {
+                            let _e869 = (_e860.member + 1i);
+                            phi_1369_ = type_14(select(_e869, type_15().member_1, select(false, true, ((false == (_e869 > _e860.member)) != false))), _e860.member_1);
+                            phi_1412_ = type_15(1u, _e860.member);
                         } else {
-                            phi_1368_ = _e859;
-                            phi_1411_ = type_15(0u, type_15().member_1);
+                            phi_1369_ = _e860;
+                            phi_1412_ = type_15(0u, type_15().member_1);
                         }
-                        let _e879 = phi_1368_;
-                        let _e881 = phi_1411_;
-                        let _e884 = (bitcast<i32>(_e881.member) != 0i);
-                        if _e884 {
-                            phi_1371_ = (0.5f * (_e861 + (_e851 / _e861)));
+                        let _e880 = phi_1369_;
+                        let _e882 = phi_1412_;
+                        let _e885 = (bitcast<i32>(_e882.member) != 0i);
+                        if _e885 {
+                            phi_1372_ = (0.5f * (_e862 + (_e852 / _e862)));
                         } else {
-                            phi_1371_ = f32();
+                            phi_1372_ = f32();
                         }
-                        let _e889 = phi_1371_;
+                        let _e890 = phi_1372_;
                         continue;
                         continuing {
-                            phi_1367_ = _e879;
-                            phi_1370_ = _e889;
-                            break if !(_e884);
+                            phi_1368_ = _e880;
+                            phi_1371_ = _e890;
+                            break if !(_e885);
                         }
                     }
-                    let _e894 = local_7;
-                    phi_1424_ = (_e894 * (1f + (8f * 0.000000059604645f)));
+                    let _e895 = local_7;
+                    phi_1425_ = (_e895 * (1f + (8f * 0.000000059604645f)));
                 }
-                let _e900 = phi_1424_;
-                let _e906 = local_5.member[0u];
-                let _e912 = select(_e906[0], -(_e906[0]), (_e906[0] < 0f));
-                let _e915 = select(_e906[1], -(_e906[1]), (_e906[1] < 0f));
-                let _e917 = select(_e915, _e912, (_e912 > _e915));
-                let _e920 = select(_e906[2], -(_e906[2]), (_e906[2] < 0f));
-                let _e922 = select(_e920, _e917, (_e917 > _e920));
-                let _e925 = local_5.member[1u];
-                let _e931 = select(_e925[0], -(_e925[0]), (_e925[0] < 0f));
-                let _e934 = select(_e925[1], -(_e925[1]), (_e925[1] < 0f));
-                let _e936 = select(_e934, _e931, (_e931 > _e934));
-                let _e939 = select(_e925[2], -(_e925[2]), (_e925[2] < 0f));
-                let _e941 = select(_e939, _e936, (_e936 > _e939));
-                let _e945 = local_5.member_3;
-                let _e949 = local_5.member_1[0u];
-                let _e955 = select(_e949[0], -(_e949[0]), (_e949[0] < 0f));
-                let _e958 = select(_e949[1], -(_e949[1]), (_e949[1] < 0f));
-                let _e960 = select(_e958, _e955, (_e955 > _e958));
-                let _e963 = select(_e949[2], -(_e949[2]), (_e949[2] < 0f));
-                let _e965 = select(_e963, _e960, (_e960 > _e963));
-                let _e968 = local_5.member_1[1u];
-                let _e974 = select(_e968[0], -(_e968[0]), (_e968[0] < 0f));
-                let _e977 = select(_e968[1], -(_e968[1]), (_e968[1] < 0f));
-                let _e979 = select(_e977, _e974, (_e974 > _e977));
-                let _e982 = select(_e968[2], -(_e968[2]), (_e968[2] < 0f));
-                let _e984 = select(_e982, _e979, (_e979 > _e982));
-                let _e988 = local_5.member_3;
-                let _e992 = local_5.member_2[0u];
-                let _e998 = select(_e992[0], -(_e992[0]), (_e992[0] < 0f));
-                let _e1001 = select(_e992[1], -(_e992[1]), (_e992[1] < 0f));
-                let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
-                let _e1006 = select(_e992[2], -(_e992[2]), (_e992[2] < 0f));
-                let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
-                let _e1011 = local_5.member_2[1u];
-                let _e1017 = select(_e1011[0], -(_e1011[0]), (_e1011[0] < 0f));
-                let _e1020 = select(_e1011[1], -(_e1011[1]), (_e1011[1] < 0f));
-                let _e1022 = select(_e1020, _e1017, (_e1017 > _e1020));
-                let _e1025 = select(_e1011[2], -(_e1011[2]), (_e1011[2] < 0f));
-                let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
-                let _e1031 = local_5.member_3;
-                let _e1038 = local_5.member_3;
-                let _e1045 = (((_e900 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e941, _e922, (_e922 > _e941)) + _e945) + (select(_e984, _e965, (_e965 > _e984)) + _e988)) + (select(_e1027, _e1008, (_e1008 > _e1027)) + _e1031)) * (0.000000059604645f * 16f)) + (_e1038 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e733.member_1);
-                if _e1045 {
-                    phi_2335_ = type_35();
-                    phi_2336_ = true;
+                let _e901 = phi_1425_;
+                let _e907 = local_5.member[0u];
+                let _e913 = select(_e907[0], -(_e907[0]), (_e907[0] < 0f));
+                let _e916 = select(_e907[1], -(_e907[1]), (_e907[1] < 0f));
+                let _e918 = select(_e916, _e913, (_e913 > _e916));
+                let _e921 = select(_e907[2], -(_e907[2]), (_e907[2] < 0f));
+                let _e923 = select(_e921, _e918, (_e918 > _e921));
+                let _e926 = local_5.member[1u];
+                let _e932 = select(_e926[0], -(_e926[0]), (_e926[0] < 0f));
+                let _e935 = select(_e926[1], -(_e926[1]), (_e926[1] < 0f));
+                let _e937 = select(_e935, _e932, (_e932 > _e935));
+                let _e940 = select(_e926[2], -(_e926[2]), (_e926[2] < 0f));
+                let _e942 = select(_e940, _e937, (_e937 > _e940));
+                let _e946 = local_5.member_3;
+                let _e950 = local_5.member_1[0u];
+                let _e956 = select(_e950[0], -(_e950[0]), (_e950[0] < 0f));
+                let _e959 = select(_e950[1], -(_e950[1]), (_e950[1] < 0f));
+                let _e961 = select(_e959, _e956, (_e956 > _e959));
+                let _e964 = select(_e950[2], -(_e950[2]), (_e950[2] < 0f));
+                let _e966 = select(_e964, _e961, (_e961 > _e964));
+                let _e969 = local_5.member_1[1u];
+                let _e975 = select(_e969[0], -(_e969[0]), (_e969[0] < 0f));
+                let _e978 = select(_e969[1], -(_e969[1]), (_e969[1] < 0f));
+                let _e980 = select(_e978, _e975, (_e975 > _e978));
+                let _e983 = select(_e969[2], -(_e969[2]), (_e969[2] < 0f));
+                let _e985 = select(_e983, _e980, (_e980 > _e983));
+                let _e989 = local_5.member_3;
+                let _e993 = local_5.member_2[0u];
+                let _e999 = select(_e993[0], -(_e993[0]), (_e993[0] < 0f));
+                let _e1002 = select(_e993[1], -(_e993[1]), (_e993[1] < 0f));
+                let _e1004 = select(_e1002, _e999, (_e999 > _e1002));
+                let _e1007 = select(_e993[2], -(_e993[2]), (_e993[2] < 0f));
+                let _e1009 = select(_e1007, _e1004, (_e1004 > _e1007));
+                let _e1012 = local_5.member_2[1u];
+                let _e1018 = select(_e1012[0], -(_e1012[0]), (_e1012[0] < 0f));
+                let _e1021 = select(_e1012[1], -(_e1012[1]), (_e1012[1] < 0f));
+                let _e1023 = select(_e1021, _e1018, (_e1018 > _e1021));
+                let _e1026 = select(_e1012[2], -(_e1012[2]), (_e1012[2] < 0f));
+                let _e1028 = select(_e1026, _e1023, (_e1023 > _e1026));
+                let _e1032 = local_5.member_3;
+                let _e1039 = local_5.member_3;
+                let _e1046 = (((_e901 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e942, _e923, (_e923 > _e942)) + _e946) + (select(_e985, _e966, (_e966 > _e985)) + _e989)) + (select(_e1028, _e1009, (_e1009 > _e1028)) + _e1032)) * (0.000000059604645f * 16f)) + (_e1039 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e734.member_1);
+                if _e1046 {
+                    phi_2336_ = type_35();
+                    phi_2337_ = true;
                 } else {
-                    let _e1048 = local_5.member_1[0u];
-                    let _e1054 = local_5.member_2[0u];
-                    let _e1060 = ((_e1048[1] * _e1054[2]) - (_e1048[2] * _e1054[1]));
-                    let _e1063 = ((_e1048[2] * _e1054[0]) - (_e1048[0] * _e1054[2]));
-                    let _e1066 = ((_e1048[0] * _e1054[1]) - (_e1048[1] * _e1054[0]));
-                    let _e1069 = local_5.member_1[1u];
-                    let _e1075 = local_5.member_2[1u];
-                    let _e1081 = ((_e1069[1] * _e1075[2]) - (_e1069[2] * _e1075[1]));
-                    let _e1084 = ((_e1069[2] * _e1075[0]) - (_e1069[0] * _e1075[2]));
-                    let _e1087 = ((_e1069[0] * _e1075[1]) - (_e1069[1] * _e1075[0]));
-                    let _e1090 = local_5.member_1[0u];
-                    let _e1096 = local_5.member_2[1u];
-                    let _e1111 = local_5.member_1[1u];
-                    let _e1117 = local_5.member_2[0u];
-                    let _e1130 = (((_e1090[1] * _e1096[2]) - (_e1090[2] * _e1096[1])) + ((_e1111[1] * _e1117[2]) - (_e1111[2] * _e1117[1])));
-                    let _e1131 = (((_e1090[2] * _e1096[0]) - (_e1090[0] * _e1096[2])) + ((_e1111[2] * _e1117[0]) - (_e1111[0] * _e1117[2])));
-                    let _e1132 = (((_e1090[0] * _e1096[1]) - (_e1090[1] * _e1096[0])) + ((_e1111[0] * _e1117[1]) - (_e1111[1] * _e1117[0])));
-                    let _e1135 = local_5.member[0u];
-                    let _e1146 = local_5.member[1u];
-                    let _e1157 = local_5.member[0u];
-                    let _e1166 = ((((_e1146[0] * _e1060) + (_e1146[1] * _e1063)) + (_e1146[2] * _e1066)) + (((_e1157[0] * _e1130) + (_e1157[1] * _e1131)) + (_e1157[2] * _e1132)));
-                    let _e1169 = local_5.member[0u];
-                    let _e1180 = local_5.member[1u];
-                    let _e1189 = ((((_e1169[0] * _e1081) + (_e1169[1] * _e1084)) + (_e1169[2] * _e1087)) + (((_e1180[0] * _e1130) + (_e1180[1] * _e1131)) + (_e1180[2] * _e1132)));
-                    let _e1192 = local_5.member[1u];
-                    let _e1203 = local_5.member[0u];
-                    let _e1209 = select(_e1203[0], -(_e1203[0]), (_e1203[0] < 0f));
-                    let _e1212 = select(_e1203[1], -(_e1203[1]), (_e1203[1] < 0f));
-                    let _e1214 = select(_e1212, _e1209, (_e1209 > _e1212));
-                    let _e1217 = select(_e1203[2], -(_e1203[2]), (_e1203[2] < 0f));
-                    let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
-                    let _e1222 = local_5.member[1u];
-                    let _e1228 = select(_e1222[0], -(_e1222[0]), (_e1222[0] < 0f));
-                    let _e1231 = select(_e1222[1], -(_e1222[1]), (_e1222[1] < 0f));
-                    let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
-                    let _e1236 = select(_e1222[2], -(_e1222[2]), (_e1222[2] < 0f));
-                    let _e1238 = select(_e1236, _e1233, (_e1233 > _e1236));
-                    let _e1242 = local_5.member_3;
-                    let _e1243 = (select(_e1238, _e1219, (_e1219 > _e1238)) + _e1242);
-                    let _e1246 = local_5.member_1[0u];
-                    let _e1252 = select(_e1246[0], -(_e1246[0]), (_e1246[0] < 0f));
-                    let _e1255 = select(_e1246[1], -(_e1246[1]), (_e1246[1] < 0f));
-                    let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
-                    let _e1260 = select(_e1246[2], -(_e1246[2]), (_e1246[2] < 0f));
-                    let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
-                    let _e1265 = local_5.member_1[1u];
-                    let _e1271 = select(_e1265[0], -(_e1265[0]), (_e1265[0] < 0f));
-                    let _e1274 = select(_e1265[1], -(_e1265[1]), (_e1265[1] < 0f));
-                    let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
-                    let _e1279 = select(_e1265[2], -(_e1265[2]), (_e1265[2] < 0f));
-                    let _e1281 = select(_e1279, _e1276, (_e1276 > _e1279));
-                    let _e1285 = local_5.member_3;
-                    let _e1286 = (select(_e1281, _e1262, (_e1262 > _e1281)) + _e1285);
-                    let _e1289 = local_5.member_2[0u];
-                    let _e1295 = select(_e1289[0], -(_e1289[0]), (_e1289[0] < 0f));
-                    let _e1298 = select(_e1289[1], -(_e1289[1]), (_e1289[1] < 0f));
-                    let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
-                    let _e1303 = select(_e1289[2], -(_e1289[2]), (_e1289[2] < 0f));
-                    let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
-                    let _e1308 = local_5.member_2[1u];
-                    let _e1314 = select(_e1308[0], -(_e1308[0]), (_e1308[0] < 0f));
-                    let _e1317 = select(_e1308[1], -(_e1308[1]), (_e1308[1] < 0f));
-                    let _e1319 = select(_e1317, _e1314, (_e1314 > _e1317));
-                    let _e1322 = select(_e1308[2], -(_e1308[2]), (_e1308[2] < 0f));
-                    let _e1324 = select(_e1322, _e1319, (_e1319 > _e1322));
-                    let _e1328 = local_5.member_3;
-                    let _e1329 = (select(_e1324, _e1305, (_e1305 > _e1324)) + _e1328);
-                    let _e1331 = ((_e1286 * 8f) * _e1329);
-                    let _e1338 = local_5.member_3;
-                    let _e1362 = ((select(_e1060, -(_e1060), (_e1060 < 0f)) + select(_e1063, -(_e1063), (_e1063 < 0f))) + select(_e1066, -(_e1066), (_e1066 < 0f)));
-                    let _e1373 = ((select(_e1081, -(_e1081), (_e1081 < 0f)) + select(_e1084, -(_e1084), (_e1084 < 0f))) + select(_e1087, -(_e1087), (_e1087 < 0f)));
-                    let _e1375 = select(_e1373, _e1362, (_e1362 > _e1373));
-                    let _e1387 = (((select(_e1130, -(_e1130), (_e1130 < 0f)) + select(_e1131, -(_e1131), (_e1131 < 0f))) + select(_e1132, -(_e1132), (_e1132 < 0f))) * 0.5f);
-                    let _e1394 = local_5.member_3;
-                    let _e1407 = ((((_e1135[0] * _e1060) + (_e1135[1] * _e1063)) + (_e1135[2] * _e1066)) * 3f);
-                    let _e1408 = ((((_e1192[0] * _e1081) + (_e1192[1] * _e1084)) + (_e1192[2] * _e1087)) * 3f);
-                    let _e1410 = select(_e1408, _e1407, (_e1407 < _e1408));
-                    let _e1412 = select(_e1189, _e1166, (_e1166 < _e1189));
-                    let _e1414 = select(_e1412, _e1410, (_e1410 < _e1412));
-                    let _e1416 = select(_e1408, _e1407, (_e1407 > _e1408));
-                    let _e1418 = select(_e1189, _e1166, (_e1166 > _e1189));
-                    let _e1421 = -(select(_e1418, _e1416, (_e1416 > _e1418)));
-                    if ((select(_e1421, _e1414, (_e1414 > _e1421)) - ((((((_e1243 * 8f) * _e1331) * (0.000000059604645f * (524f / 64f))) + ((_e1338 * 19f) * ((_e1243 * (_e1286 + _e1329)) + (_e1286 * _e1329)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1243) * ((1f + _e1286) * (1f + _e1329))))) + ((_e733.member_1 * (((select(_e1387, _e1375, (_e1375 > _e1387)) + (_e1331 * (0.000000059604645f * 8f))) + ((_e1394 * 6f) * (_e1286 + _e1329))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1286) * (1f + _e1329))))) * (3f * 1.0001f)))) > 0f) {
-                        phi_2333_ = type_35(type_34(0u, f32()), 0u);
-                        phi_2334_ = false;
+                    let _e1049 = local_5.member_1[0u];
+                    let _e1055 = local_5.member_2[0u];
+                    let _e1061 = ((_e1049[1] * _e1055[2]) - (_e1049[2] * _e1055[1]));
+                    let _e1064 = ((_e1049[2] * _e1055[0]) - (_e1049[0] * _e1055[2]));
+                    let _e1067 = ((_e1049[0] * _e1055[1]) - (_e1049[1] * _e1055[0]));
+                    let _e1070 = local_5.member_1[1u];
+                    let _e1076 = local_5.member_2[1u];
+                    let _e1082 = ((_e1070[1] * _e1076[2]) - (_e1070[2] * _e1076[1]));
+                    let _e1085 = ((_e1070[2] * _e1076[0]) - (_e1070[0] * _e1076[2]));
+                    let _e1088 = ((_e1070[0] * _e1076[1]) - (_e1070[1] * _e1076[0]));
+                    let _e1091 = local_5.member_1[0u];
+                    let _e1097 = local_5.member_2[1u];
+                    let _e1112 = local_5.member_1[1u];
+                    let _e1118 = local_5.member_2[0u];
+                    let _e1131 = (((_e1091[1] * _e1097[2]) - (_e1091[2] * _e1097[1])) + ((_e1112[1] * _e1118[2]) - (_e1112[2] * _e1118[1])));
+                    let _e1132 = (((_e1091[2] * _e1097[0]) - (_e1091[0] * _e1097[2])) + ((_e1112[2] * _e1118[0]) - (_e1112[0] * _e1118[2])));
+                    let _e1133 = (((_e1091[0] * _e1097[1]) - (_e1091[1] * _e1097[0])) + ((_e1112[0] * _e1118[1]) - (_e1112[1] * _e1118[0])));
+                    let _e1136 = local_5.member[0u];
+                    let _e1147 = local_5.member[1u];
+                    let _e1158 = local_5.member[0u];
+                    let _e1167 = ((((_e1147[0] * _e1061) + (_e1147[1] * _e1064)) + (_e1147[2] * _e1067)) + (((_e1158[0] * _e1131) + (_e1158[1] * _e1132)) + (_e1158[2] * _e1133)));
+                    let _e1170 = local_5.member[0u];
+                    let _e1181 = local_5.member[1u];
+                    let _e1190 = ((((_e1170[0] * _e1082) + (_e1170[1] * _e1085)) + (_e1170[2] * _e1088)) + (((_e1181[0] * _e1131) + (_e1181[1] * _e1132)) + (_e1181[2] * _e1133)));
+                    let _e1193 = local_5.member[1u];
+                    let _e1204 = local_5.member[0u];
+                    let _e1210 = select(_e1204[0], -(_e1204[0]), (_e1204[0] < 0f));
+                    let _e1213 = select(_e1204[1], -(_e1204[1]), (_e1204[1] < 0f));
+                    let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
+                    let _e1218 = select(_e1204[2], -(_e1204[2]), (_e1204[2] < 0f));
+                    let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
+                    let _e1223 = local_5.member[1u];
+                    let _e1229 = select(_e1223[0], -(_e1223[0]), (_e1223[0] < 0f));
+                    let _e1232 = select(_e1223[1], -(_e1223[1]), (_e1223[1] < 0f));
+                    let _e1234 = select(_e1232, _e1229, (_e1229 > _e1232));
+                    let _e1237 = select(_e1223[2], -(_e1223[2]), (_e1223[2] < 0f));
+                    let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
+                    let _e1243 = local_5.member_3;
+                    let _e1244 = (select(_e1239, _e1220, (_e1220 > _e1239)) + _e1243);
+                    let _e1247 = local_5.member_1[0u];
+                    let _e1253 = select(_e1247[0], -(_e1247[0]), (_e1247[0] < 0f));
+                    let _e1256 = select(_e1247[1], -(_e1247[1]), (_e1247[1] < 0f));
+                    let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
+                    let _e1261 = select(_e1247[2], -(_e1247[2]), (_e1247[2] < 0f));
+                    let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
+                    let _e1266 = local_5.member_1[1u];
+                    let _e1272 = select(_e1266[0], -(_e1266[0]), (_e1266[0] < 0f));
+                    let _e1275 = select(_e1266[1], -(_e1266[1]), (_e1266[1] < 0f));
+                    let _e1277 = select(_e1275, _e1272, (_e1272 > _e1275));
+                    let _e1280 = select(_e1266[2], -(_e1266[2]), (_e1266[2] < 0f));
+                    let _e1282 = select(_e1280, _e1277, (_e1277 > _e1280));
+                    let _e1286 = local_5.member_3;
+                    let _e1287 = (select(_e1282, _e1263, (_e1263 > _e1282)) + _e1286);
+                    let _e1290 = local_5.member_2[0u];
+                    let _e1296 = select(_e1290[0], -(_e1290[0]), (_e1290[0] < 0f));
+                    let _e1299 = select(_e1290[1], -(_e1290[1]), (_e1290[1] < 0f));
+                    let _e1301 = select(_e1299, _e1296, (_e1296 > _e1299));
+                    let _e1304 = select(_e1290[2], -(_e1290[2]), (_e1290[2] < 0f));
+                    let _e1306 = select(_e1304, _e1301, (_e1301 > _e1304));
+                    let _e1309 = local_5.member_2[1u];
+                    let _e1315 = select(_e1309[0], -(_e1309[0]), (_e1309[0] < 0f));
+                    let _e1318 = select(_e1309[1], -(_e1309[1]), (_e1309[1] < 0f));
+                    let _e1320 = select(_e1318, _e1315, (_e1315 > _e1318));
+                    let _e1323 = select(_e1309[2], -(_e1309[2]), (_e1309[2] < 0f));
+                    let _e1325 = select(_e1323, _e1320, (_e1320 > _e1323));
+                    let _e1329 = local_5.member_3;
+                    let _e1330 = (select(_e1325, _e1306, (_e1306 > _e1325)) + _e1329);
+                    let _e1332 = ((_e1287 * 8f) * _e1330);
+                    let _e1339 = local_5.member_3;
+                    let _e1363 = ((select(_e1061, -(_e1061), (_e1061 < 0f)) + select(_e1064, -(_e1064), (_e1064 < 0f))) + select(_e1067, -(_e1067), (_e1067 < 0f)));
+                    let _e1374 = ((select(_e1082, -(_e1082), (_e1082 < 0f)) + select(_e1085, -(_e1085), (_e1085 < 0f))) + select(_e1088, -(_e1088), (_e1088 < 0f)));
+                    let _e1376 = select(_e1374, _e1363, (_e1363 > _e1374));
+                    let _e1388 = (((select(_e1131, -(_e1131), (_e1131 < 0f)) + select(_e1132, -(_e1132), (_e1132 < 0f))) + select(_e1133, -(_e1133), (_e1133 < 0f))) * 0.5f);
+                    let _e1395 = local_5.member_3;
+                    let _e1408 = ((((_e1136[0] * _e1061) + (_e1136[1] * _e1064)) + (_e1136[2] * _e1067)) * 3f);
+                    let _e1409 = ((((_e1193[0] * _e1082) + (_e1193[1] * _e1085)) + (_e1193[2] * _e1088)) * 3f);
+                    let _e1411 = select(_e1409, _e1408, (_e1408 < _e1409));
+                    let _e1413 = select(_e1190, _e1167, (_e1167 < _e1190));
+                    let _e1415 = select(_e1413, _e1411, (_e1411 < _e1413));
+                    let _e1417 = select(_e1409, _e1408, (_e1408 > _e1409));
+                    let _e1419 = select(_e1190, _e1167, (_e1167 > _e1190));
+                    let _e1422 = -(select(_e1419, _e1417, (_e1417 > _e1419)));
+                    if ((select(_e1422, _e1415, (_e1415 > _e1422)) - ((((((_e1244 * 8f) * _e1332) * (0.000000059604645f * (524f / 64f))) + ((_e1339 * 19f) * ((_e1244 * (_e1287 + _e1330)) + (_e1287 * _e1330)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1244) * ((1f + _e1287) * (1f + _e1330))))) + ((_e734.member_1 * (((select(_e1388, _e1376, (_e1376 > _e1388)) + (_e1332 * (0.000000059604645f * 8f))) + ((_e1395 * 6f) * (_e1287 + _e1330))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1287) * (1f + _e1330))))) * (3f * 1.0001f)))) > 0f) {
+                        phi_2334_ = type_35(type_34(0u, f32()), 0u);
+                        phi_2335_ = false;
                     } else {
-                        phi_2333_ = type_35();
-                        phi_2334_ = true;
+                        phi_2334_ = type_35();
+                        phi_2335_ = true;
                     }
-                    let _e1433 = phi_2333_;
-                    let _e1435 = phi_2334_;
-                    phi_2335_ = _e1433;
-                    phi_2336_ = _e1435;
+                    let _e1434 = phi_2334_;
+                    let _e1436 = phi_2335_;
+                    phi_2336_ = _e1434;
+                    phi_2337_ = _e1436;
                 }
-                let _e1437 = phi_2335_;
-                let _e1439 = phi_2336_;
-                if _e1439 {
-                    phi_2342_ = type_14(0i, 2i);
-                    phi_2345_ = _e380;
-                    phi_2347_ = 0u;
-                    phi_2349_ = _e380;
+                let _e1438 = phi_2336_;
+                let _e1440 = phi_2337_;
+                if _e1440 {
+                    phi_2343_ = type_14(0i, 2i);
+                    phi_2346_ = _e381;
+                    phi_2348_ = 0u;
+                    phi_2350_ = _e381;
                     loop {
-                        let _e1441 = phi_2342_;
-                        let _e1443 = phi_2345_;
-                        let _e1445 = phi_2347_;
-                        let _e1447 = phi_2349_;
-                        local_54 = _e1445;
-                        local_57 = _e1443;
-                        local_58 = _e1445;
-                        if (_e1441.member < _e1441.member_1) {
-                            let _e1454 = (_e1441.member + 1i);
-                            phi_2343_ = type_14(select(_e1454, type_15().member_1, select(false, true, ((false == (_e1454 > _e1441.member)) != false))), _e1441.member_1);
-                            phi_2390_ = type_15(1u, _e1441.member);
+                        let _e1442 = phi_2343_;
+                        let _e1444 = phi_2346_;
+                        let _e1446 = phi_2348_;
+                        let _e1448 = phi_2350_;
+                        local_54 = _e1446;
+                        local_57 = _e1444;
+                        local_58 = _e1446;
+                        if (_e1442.member < _e1442.member_1) {
+                            let _e1455 = (_e1442.member + 1i);
+                            phi_2344_ = type_14(select(_e1455, type_15().member_1, select(false, true, ((false == (_e1455 > _e1442.member)) != false))), _e1442.member_1);
+                            phi_2391_ = type_15(1u, _e1442.member);
                         } else {
-                            phi_2343_ = _e1441;
-                            phi_2390_ = type_15(0u, type_15().member_1);
+                            phi_2344_ = _e1442;
+                            phi_2391_ = type_15(0u, type_15().member_1);
                         }
-                        let _e1465 = phi_2343_;
-                        let _e1467 = phi_2390_;
-                        if (bitcast<i32>(_e1467.member) != 0i) {
-                            if select(select(true, false, _e1045), true, (_e1467.member_1 > 0i)) {
-                                let _e1477 = local_5.member[0u];
-                                let _e1483 = local_5.member_1[0u];
-                                let _e1489 = local_5.member_2[0u];
-                                let _e1493 = (_e1477[0] - _e1483[0]);
-                                let _e1494 = (_e1477[1] - _e1483[1]);
-                                let _e1495 = (_e1477[2] - _e1483[2]);
-                                let _e1496 = (_e225.member == 0u);
-                                let _e1508 = local_5.member[1u];
-                                let _e1514 = local_5.member_1[1u];
-                                let _e1520 = local_5.member_2[1u];
-                                let _e1524 = (_e1508[0] - _e1514[0]);
-                                let _e1525 = (_e1508[1] - _e1514[1]);
-                                let _e1526 = (_e1508[2] - _e1514[2]);
-                                let _e1527 = (_e225.member == 0u);
-                                let _e1539 = local_5.member[0u];
-                                let _e1545 = select(_e1539[0], -(_e1539[0]), (_e1539[0] < 0f));
-                                let _e1548 = select(_e1539[1], -(_e1539[1]), (_e1539[1] < 0f));
-                                let _e1550 = select(_e1548, _e1545, (_e1545 > _e1548));
-                                let _e1553 = select(_e1539[2], -(_e1539[2]), (_e1539[2] < 0f));
-                                let _e1555 = select(_e1553, _e1550, (_e1550 > _e1553));
-                                let _e1558 = local_5.member[1u];
-                                let _e1564 = select(_e1558[0], -(_e1558[0]), (_e1558[0] < 0f));
-                                let _e1567 = select(_e1558[1], -(_e1558[1]), (_e1558[1] < 0f));
-                                let _e1569 = select(_e1567, _e1564, (_e1564 > _e1567));
-                                let _e1572 = select(_e1558[2], -(_e1558[2]), (_e1558[2] < 0f));
-                                let _e1574 = select(_e1572, _e1569, (_e1569 > _e1572));
-                                let _e1578 = local_5.member_3;
-                                let _e1582 = local_5.member_1[0u];
-                                let _e1588 = select(_e1582[0], -(_e1582[0]), (_e1582[0] < 0f));
-                                let _e1591 = select(_e1582[1], -(_e1582[1]), (_e1582[1] < 0f));
-                                let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
-                                let _e1596 = select(_e1582[2], -(_e1582[2]), (_e1582[2] < 0f));
-                                let _e1598 = select(_e1596, _e1593, (_e1593 > _e1596));
-                                let _e1601 = local_5.member_1[1u];
-                                let _e1607 = select(_e1601[0], -(_e1601[0]), (_e1601[0] < 0f));
-                                let _e1610 = select(_e1601[1], -(_e1601[1]), (_e1601[1] < 0f));
-                                let _e1612 = select(_e1610, _e1607, (_e1607 > _e1610));
-                                let _e1615 = select(_e1601[2], -(_e1601[2]), (_e1601[2] < 0f));
-                                let _e1617 = select(_e1615, _e1612, (_e1612 > _e1615));
-                                let _e1621 = local_5.member_3;
-                                let _e1625 = local_5.member_2[0u];
-                                let _e1631 = select(_e1625[0], -(_e1625[0]), (_e1625[0] < 0f));
-                                let _e1634 = select(_e1625[1], -(_e1625[1]), (_e1625[1] < 0f));
-                                let _e1636 = select(_e1634, _e1631, (_e1631 > _e1634));
-                                let _e1639 = select(_e1625[2], -(_e1625[2]), (_e1625[2] < 0f));
-                                let _e1641 = select(_e1639, _e1636, (_e1636 > _e1639));
-                                let _e1644 = local_5.member_2[1u];
-                                let _e1650 = select(_e1644[0], -(_e1644[0]), (_e1644[0] < 0f));
-                                let _e1653 = select(_e1644[1], -(_e1644[1]), (_e1644[1] < 0f));
-                                let _e1655 = select(_e1653, _e1650, (_e1650 > _e1653));
-                                let _e1658 = select(_e1644[2], -(_e1644[2]), (_e1644[2] < 0f));
-                                let _e1660 = select(_e1658, _e1655, (_e1655 > _e1658));
-                                let _e1664 = local_5.member_3;
-                                let _e1671 = local_5.member_3;
-                                let _e1676 = (_e378 * 0.00390625f);
+                        let _e1466 = phi_2344_;
+                        let _e1468 = phi_2391_;
+                        if (bitcast<i32>(_e1468.member) != 0i) {
+                            if select(select(true, false, _e1046), true, (_e1468.member_1 > 0i)) {
+                                let _e1478 = local_5.member[0u];
+                                let _e1484 = local_5.member_1[0u];
+                                let _e1490 = local_5.member_2[0u];
+                                let _e1494 = (_e1478[0] - _e1484[0]);
+                                let _e1495 = (_e1478[1] - _e1484[1]);
+                                let _e1496 = (_e1478[2] - _e1484[2]);
+                                let _e1497 = (_e226.member == 0u);
+                                let _e1509 = local_5.member[1u];
+                                let _e1515 = local_5.member_1[1u];
+                                let _e1521 = local_5.member_2[1u];
+                                let _e1525 = (_e1509[0] - _e1515[0]);
+                                let _e1526 = (_e1509[1] - _e1515[1]);
+                                let _e1527 = (_e1509[2] - _e1515[2]);
+                                let _e1528 = (_e226.member == 0u);
+                                let _e1540 = local_5.member[0u];
+                                let _e1546 = select(_e1540[0], -(_e1540[0]), (_e1540[0] < 0f));
+                                let _e1549 = select(_e1540[1], -(_e1540[1]), (_e1540[1] < 0f));
+                                let _e1551 = select(_e1549, _e1546, (_e1546 > _e1549));
+                                let _e1554 = select(_e1540[2], -(_e1540[2]), (_e1540[2] < 0f));
+                                let _e1556 = select(_e1554, _e1551, (_e1551 > _e1554));
+                                let _e1559 = local_5.member[1u];
+                                let _e1565 = select(_e1559[0], -(_e1559[0]), (_e1559[0] < 0f));
+                                let _e1568 = select(_e1559[1], -(_e1559[1]), (_e1559[1] < 0f));
+                                let _e1570 = select(_e1568, _e1565, (_e1565 > _e1568));
+                                let _e1573 = select(_e1559[2], -(_e1559[2]), (_e1559[2] < 0f));
+                                let _e1575 = select(_e1573, _e1570, (_e1570 > _e1573));
+                                let _e1579 = local_5.member_3;
+                                let _e1583 = local_5.member_1[0u];
+                                let _e1589 = select(_e1583[0], -(_e1583[0]), (_e1583[0] < 0f));
+                                let _e1592 = select(_e1583[1], -(_e1583[1]), (_e1583[1] < 0f));
+                                let _e1594 = select(_e1592, _e1589, (_e1589 > _e1592));
+                                let _e1597 = select(_e1583[2], -(_e1583[2]), (_e1583[2] < 0f));
+                                let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
+                                let _e1602 = local_5.member_1[1u];
+                                let _e1608 = select(_e1602[0], -(_e1602[0]), (_e1602[0] < 0f));
+                                let _e1611 = select(_e1602[1], -(_e1602[1]), (_e1602[1] < 0f));
+                                let _e1613 = select(_e1611, _e1608, (_e1608 > _e1611));
+                                let _e1616 = select(_e1602[2], -(_e1602[2]), (_e1602[2] < 0f));
+                                let _e1618 = select(_e1616, _e1613, (_e1613 > _e1616));
+                                let _e1622 = local_5.member_3;
+                                let _e1626 = local_5.member_2[0u];
+                                let _e1632 = select(_e1626[0], -(_e1626[0]), (_e1626[0] < 0f));
+                                let _e1635 = select(_e1626[1], -(_e1626[1]), (_e1626[1] < 0f));
+                                let _e1637 = select(_e1635, _e1632, (_e1632 > _e1635));
+                                let _e1640 = select(_e1626[2], -(_e1626[2]), (_e1626[2] < 0f));
+                                let _e1642 = select(_e1640, _e1637, (_e1637 > _e1640));
+                                let _e1645 = local_5.member_2[1u];
+                                let _e1651 = select(_e1645[0], -(_e1645[0]), (_e1645[0] < 0f));
+                                let _e1654 = select(_e1645[1], -(_e1645[1]), (_e1645[1] < 0f));
+                                let _e1656 = select(_e1654, _e1651, (_e1651 > _e1654));
+                                let _e1659 = select(_e1645[2], -(_e1645[2]), (_e1645[2] < 0f));
+                                let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
+                                let _e1665 = local_5.member_3;
+                                let _e1672 = local_5.member_3;
+                                let _e1677 = (_e379 * 0.00390625f);
                                 local_3 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                phi_2827_ = type_9(0u, 96u);
-                                phi_2830_ = _e1447;
-                                phi_2832_ = _e1447;
-                                phi_2834_ = (_e382 - _e1447);
-                                phi_2836_ = _e1447;
-                                phi_2838_ = false;
-                                phi_2840_ = 0u;
+                                phi_2828_ = type_9(0u, 96u);
+                                phi_2831_ = _e1448;
+                                phi_2833_ = _e1448;
+                                phi_2835_ = (_e383 - _e1448);
+                                phi_2837_ = _e1448;
+                                phi_2839_ = false;
+                                phi_2841_ = 0u;
                                 loop {
-                                    let _e1679 = phi_2827_;
-                                    let _e1681 = phi_2830_;
-                                    let _e1683 = phi_2832_;
-                                    let _e1685 = phi_2834_;
-                                    let _e1687 = phi_2836_;
-                                    let _e1689 = phi_2838_;
-                                    let _e1691 = phi_2840_;
-                                    local_20 = _e1681;
-                                    local_24 = _e1683;
-                                    let _e1694 = (_e1679.member < _e1679.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e1694)) != 0i) {
-                                        let _e1708 = local_5.member[0u];
-                                        let _e1714 = local_5.member[1u];
-                                        let _e1730 = local_5.member_1[0u];
-                                        let _e1736 = local_5.member_1[1u];
-                                        let _e1752 = local_5.member_2[0u];
-                                        let _e1758 = local_5.member_2[1u];
-                                        let _e1772 = function_3(array<f32, 3>((_e1708[0] + ((_e1714[0] - _e1708[0]) * _e1681)), (_e1708[1] + ((_e1714[1] - _e1708[1]) * _e1681)), (_e1708[2] + ((_e1714[2] - _e1708[2]) * _e1681))), array<f32, 3>((_e1730[0] + ((_e1736[0] - _e1730[0]) * _e1681)), (_e1730[1] + ((_e1736[1] - _e1730[1]) * _e1681)), (_e1730[2] + ((_e1736[2] - _e1730[2]) * _e1681))), array<f32, 3>((_e1752[0] + ((_e1758[0] - _e1752[0]) * _e1681)), (_e1752[1] + ((_e1758[1] - _e1752[1]) * _e1681)), (_e1752[2] + ((_e1758[2] - _e1752[2]) * _e1681))), _e225.member);
-                                        if (_e1691 == 0u) {
-                                            phi_2991_ = _e1772;
+                                    let _e1680 = phi_2828_;
+                                    let _e1682 = phi_2831_;
+                                    let _e1684 = phi_2833_;
+                                    let _e1686 = phi_2835_;
+                                    let _e1688 = phi_2837_;
+                                    let _e1690 = phi_2839_;
+                                    let _e1692 = phi_2841_;
+                                    local_20 = _e1682;
+                                    local_24 = _e1684;
+                                    let _e1695 = (_e1680.member < _e1680.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e1695)) != 0i) {
+                                        let _e1709 = local_5.member[0u];
+                                        let _e1715 = local_5.member[1u];
+                                        let _e1731 = local_5.member_1[0u];
+                                        let _e1737 = local_5.member_1[1u];
+                                        let _e1753 = local_5.member_2[0u];
+                                        let _e1759 = local_5.member_2[1u];
+                                        let _e1773 = function_3(array<f32, 3>((_e1709[0] + ((_e1715[0] - _e1709[0]) * _e1682)), (_e1709[1] + ((_e1715[1] - _e1709[1]) * _e1682)), (_e1709[2] + ((_e1715[2] - _e1709[2]) * _e1682))), array<f32, 3>((_e1731[0] + ((_e1737[0] - _e1731[0]) * _e1682)), (_e1731[1] + ((_e1737[1] - _e1731[1]) * _e1682)), (_e1731[2] + ((_e1737[2] - _e1731[2]) * _e1682))), array<f32, 3>((_e1753[0] + ((_e1759[0] - _e1753[0]) * _e1682)), (_e1753[1] + ((_e1759[1] - _e1753[1]) * _e1682)), (_e1753[2] + ((_e1759[2] - _e1753[2]) * _e1682))), _e226.member);
+                                        if (_e1692 == 0u) {
+                                            phi_2992_ = _e1773;
                                         } else {
-                                            phi_2991_ = array<f32, 3>(select(0f, _e1772[0], (_e1691 == 1u)), select(0f, _e1772[1], (_e1691 == 2u)), select(0f, _e1772[2], (_e1691 == 3u)));
+                                            phi_2992_ = array<f32, 3>(select(0f, _e1773[0], (_e1692 == 1u)), select(0f, _e1773[1], (_e1692 == 2u)), select(0f, _e1773[2], (_e1692 == 3u)));
                                         }
-                                        let _e1785 = phi_2991_;
-                                        let _e1799 = ((select(_e1785[0], -(_e1785[0]), (_e1785[0] < 0f)) + select(_e1785[1], -(_e1785[1]), (_e1785[1] < 0f))) + select(_e1785[2], -(_e1785[2]), (_e1785[2] < 0f)));
-                                        if (_e1799 > 0f) {
-                                            if ((bitcast<u32>(_e1799) & 2139095040u) != 2139095040u) {
-                                                let _e1804 = (1f / _e1799);
-                                                let _e1806 = (_e1785[0] * _e1804);
-                                                let _e1808 = (_e1785[1] * _e1804);
-                                                let _e1810 = (_e1785[2] * _e1804);
-                                                let _e1815 = (((_e1806 * _e1806) + (_e1808 * _e1808)) + (_e1810 * _e1810));
-                                                if (_e1815 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_3114_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1815 > 0f));
+                                        let _e1786 = phi_2992_;
+                                        let _e1800 = ((select(_e1786[0], -(_e1786[0]), (_e1786[0] < 0f)) + select(_e1786[1], -(_e1786[1]), (_e1786[1] < 0f))) + select(_e1786[2], -(_e1786[2]), (_e1786[2] < 0f)));
+                                        if (_e1800 > 0f) {
+                                            if ((bitcast<u32>(_e1800) & 2139095040u) != 2139095040u) {
+                                                let _e1805 = (1f / _e1800);
+                                                let _e1807 = (_e1786[0] * _e1805);
+                                                let _e1809 = (_e1786[1] * _e1805);
+                                                let _e1811 = (_e1786[2] * _e1805);
+                                                let _e1816 = (((_e1807 * _e1807) + (_e1809 * _e1809)) + (_e1811 * _e1811));
+                                                if (_e1816 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_3115_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1816 > 0f));
                                                 } else {
-                                                    phi_3057_ = type_14(0i, 5i);
-                                                    phi_3060_ = bitcast<f32>(((bitcast<u32>(_e1815) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_3058_ = type_14(0i, 5i);
+                                                    phi_3061_ = bitcast<f32>(((bitcast<u32>(_e1816) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e1823 = phi_3057_;
-                                                        let _e1825 = phi_3060_;
-                                                        local_8 = _e1825;
-                                                        if (_e1823.member < _e1823.member_1) {
-                                                            let _e1832 = (_e1823.member + 1i);
-                                                            phi_3058_ = type_14(select(_e1832, type_15().member_1, select(false, true, ((false == (_e1832 > _e1823.member)) != false))), _e1823.member_1);
-                                                            phi_3101_ = type_15(1u, _e1823.member);
+                                                        let _e1824 = phi_3058_;
+                                                        let _e1826 = phi_3061_;
+                                                        local_8 = _e1826;
+                                                        if (_e1824.member < _e1824.member_1) {
+                                                            let _e1833 = (_e1824.member + 1i);
+                                                            phi_3059_ = type_14(select(_e1833, type_15().member_1, select(false, true, ((false == (_e1833 > _e1824.member)) != false))), _e1824.member_1);
+                                                            phi_3102_ = type_15(1u, _e1824.member);
                                                         } else {
-                                                            phi_3058_ = _e1823;
-                                                            phi_3101_ = type_15(0u, type_15().member_1);
+                                                            phi_3059_ = _e1824;
+                                                            phi_3102_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e1843 = phi_3058_;
-                                                        let _e1845 = phi_3101_;
-                                                        let _e1848 = (bitcast<i32>(_e1845.member) != 0i);
-                                                        if _e1848 {
-                                                            phi_3061_ = (0.5f * (_e1825 + (_e1815 / _e1825)));
+                                                        let _e1844 = phi_3059_;
+                                                        let _e1846 = phi_3102_;
+                                                        let _e1849 = (bitcast<i32>(_e1846.member) != 0i);
+                                                        if _e1849 {
+                                                            phi_3062_ = (0.5f * (_e1826 + (_e1816 / _e1826)));
                                                         } else {
-                                                            phi_3061_ = f32();
+                                                            phi_3062_ = f32();
                                                         }
-                                                        let _e1853 = phi_3061_;
+                                                        let _e1854 = phi_3062_;
                                                         continue;
                                                         continuing {
-                                                            phi_3057_ = _e1843;
-                                                            phi_3060_ = _e1853;
-                                                            break if !(_e1848);
+                                                            phi_3058_ = _e1844;
+                                                            phi_3061_ = _e1854;
+                                                            break if !(_e1849);
                                                         }
                                                     }
-                                                    let _e1858 = local_8;
-                                                    phi_3114_ = (_e1858 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e1859 = local_8;
+                                                    phi_3115_ = (_e1859 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e1864 = phi_3114_;
-                                                let _e1865 = (0.000000059604645f * 12f);
-                                                let _e1870 = ((((((((select(_e1574, _e1555, (_e1555 > _e1574)) + _e1578) + (select(_e1617, _e1598, (_e1598 > _e1617)) + _e1621)) + (select(_e1660, _e1641, (_e1641 > _e1660)) + _e1664)) * (0.000000059604645f * 16f)) + (_e1671 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e733.member_1 * _e1864) * (1f + _e1865)));
-                                                let _e1875 = (((_e1806 * _e1477[0]) + (_e1808 * _e1477[1])) + (_e1810 * _e1477[2]));
-                                                let _e1880 = (((_e1806 * _e1493) + (_e1808 * _e1494)) + (_e1810 * _e1495));
-                                                let _e1885 = (((_e1806 * (_e1477[0] - _e1489[0])) + (_e1808 * (_e1477[1] - _e1489[1]))) + (_e1810 * (_e1477[2] - _e1489[2])));
-                                                let _e1890 = (((_e1806 * select((_e1493 - _e1489[0]), _e1477[0], _e1496)) + (_e1808 * select((_e1494 - _e1489[1]), _e1477[1], _e1496))) + (_e1810 * select((_e1495 - _e1489[2]), _e1477[2], _e1496)));
-                                                let _e1896 = (((_e1806 * _e1508[0]) + (_e1808 * _e1508[1])) + (_e1810 * _e1508[2]));
-                                                let _e1901 = (((_e1806 * _e1524) + (_e1808 * _e1525)) + (_e1810 * _e1526));
-                                                let _e1906 = (((_e1806 * (_e1508[0] - _e1520[0])) + (_e1808 * (_e1508[1] - _e1520[1]))) + (_e1810 * (_e1508[2] - _e1520[2])));
-                                                let _e1911 = (((_e1806 * select((_e1524 - _e1520[0]), _e1508[0], _e1527)) + (_e1808 * select((_e1525 - _e1520[1]), _e1508[1], _e1527))) + (_e1810 * select((_e1526 - _e1520[2]), _e1508[2], _e1527)));
-                                                phi_3237_ = type_31(array<f32, 4>(_e1875, _e1880, _e1885, _e1890), array<f32, 4>(_e1896, _e1901, _e1906, _e1911), array<f32, 4>((_e1870 + ((select(_e1875, -(_e1875), (_e1875 < 0f)) + select(_e1896, -(_e1896), (_e1896 < 0f))) * _e1865)), (_e1870 + ((select(_e1880, -(_e1880), (_e1880 < 0f)) + select(_e1901, -(_e1901), (_e1901 < 0f))) * _e1865)), (_e1870 + ((select(_e1885, -(_e1885), (_e1885 < 0f)) + select(_e1906, -(_e1906), (_e1906 < 0f))) * _e1865)), (_e1870 + ((select(_e1890, -(_e1890), (_e1890 < 0f)) + select(_e1911, -(_e1911), (_e1911 < 0f))) * _e1865))));
-                                                phi_3238_ = false;
+                                                let _e1865 = phi_3115_;
+                                                let _e1866 = (0.000000059604645f * 12f);
+                                                let _e1871 = ((((((((select(_e1575, _e1556, (_e1556 > _e1575)) + _e1579) + (select(_e1618, _e1599, (_e1599 > _e1618)) + _e1622)) + (select(_e1661, _e1642, (_e1642 > _e1661)) + _e1665)) * (0.000000059604645f * 16f)) + (_e1672 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e734.member_1 * _e1865) * (1f + _e1866)));
+                                                let _e1876 = (((_e1807 * _e1478[0]) + (_e1809 * _e1478[1])) + (_e1811 * _e1478[2]));
+                                                let _e1881 = (((_e1807 * _e1494) + (_e1809 * _e1495)) + (_e1811 * _e1496));
+                                                let _e1886 = (((_e1807 * (_e1478[0] - _e1490[0])) + (_e1809 * (_e1478[1] - _e1490[1]))) + (_e1811 * (_e1478[2] - _e1490[2])));
+                                                let _e1891 = (((_e1807 * select((_e1494 - _e1490[0]), _e1478[0], _e1497)) + (_e1809 * select((_e1495 - _e1490[1]), _e1478[1], _e1497))) + (_e1811 * select((_e1496 - _e1490[2]), _e1478[2], _e1497)));
+                                                let _e1897 = (((_e1807 * _e1509[0]) + (_e1809 * _e1509[1])) + (_e1811 * _e1509[2]));
+                                                let _e1902 = (((_e1807 * _e1525) + (_e1809 * _e1526)) + (_e1811 * _e1527));
+                                                let _e1907 = (((_e1807 * (_e1509[0] - _e1521[0])) + (_e1809 * (_e1509[1] - _e1521[1]))) + (_e1811 * (_e1509[2] - _e1521[2])));
+                                                let _e1912 = (((_e1807 * select((_e1525 - _e1521[0]), _e1509[0], _e1528)) + (_e1809 * select((_e1526 - _e1521[1]), _e1509[1], _e1528))) + (_e1811 * select((_e1527 - _e1521[2]), _e1509[2], _e1528)));
+                                                phi_3238_ = type_31(array<f32, 4>(_e1876, _e1881, _e1886, _e1891), array<f32, 4>(_e1897, _e1902, _e1907, _e1912), array<f32, 4>((_e1871 + ((select(_e1876, -(_e1876), (_e1876 < 0f)) + select(_e1897, -(_e1897), (_e1897 < 0f))) * _e1866)), (_e1871 + ((select(_e1881, -(_e1881), (_e1881 < 0f)) + select(_e1902, -(_e1902), (_e1902 < 0f))) * _e1866)), (_e1871 + ((select(_e1886, -(_e1886), (_e1886 < 0f)) + select(_e1907, -(_e1907), (_e1907 < 0f))) * _e1866)), (_e1871 + ((select(_e1891, -(_e1891), (_e1891 < 0f)) + select(_e1912, -(_e1912), (_e1912 < 0f))) * _e1866))));
+                                                phi_3239_ = false;
                                             } else {
-                                                phi_3237_ = type_31();
-                                                phi_3238_ = true;
+                                                phi_3238_ = type_31();
+                                                phi_3239_ = true;
                                             }
-                                            let _e1952 = phi_3237_;
-                                            let _e1954 = phi_3238_;
-                                            phi_3239_ = _e1952;
-                                            phi_3240_ = _e1954;
+                                            let _e1953 = phi_3238_;
+                                            let _e1955 = phi_3239_;
+                                            phi_3240_ = _e1953;
+                                            phi_3241_ = _e1955;
                                         } else {
-                                            phi_3239_ = type_31();
-                                            phi_3240_ = true;
+                                            phi_3240_ = type_31();
+                                            phi_3241_ = true;
                                         }
-                                        let _e1956 = phi_3239_;
-                                        let _e1958 = phi_3240_;
-                                        if _e1958 {
-                                            phi_3248_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                        let _e1957 = phi_3240_;
+                                        let _e1959 = phi_3241_;
+                                        if _e1959 {
+                                            phi_3249_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                         } else {
-                                            phi_3248_ = _e1956;
+                                            phi_3249_ = _e1957;
                                         }
-                                        let _e1960 = phi_3248_;
-                                        local_4 = type_31(array<f32, 4>(_e1960.member[0], _e1960.member[1], _e1960.member[2], _e1960.member[3]), array<f32, 4>(_e1960.member_1[0], _e1960.member_1[1], _e1960.member_1[2], _e1960.member_1[3]), array<f32, 4>(_e1960.member_2[0], _e1960.member_2[1], _e1960.member_2[2], _e1960.member_2[3]));
-                                        let _e1980 = (_e1681 - _e1687);
-                                        let _e1984 = local_4.member[0u];
-                                        let _e1987 = local_4.member_1[0u];
-                                        let _e1990 = local_4.member[0u];
-                                        let _e1996 = local_4.member_2[0u];
-                                        if (((_e1984 + ((_e1987 - _e1990) * _e1681)) - _e1996) > 0f) {
-                                            let _e2001 = local_4.member[1u];
-                                            let _e2004 = local_4.member_1[1u];
-                                            let _e2007 = local_4.member[1u];
-                                            let _e2013 = local_4.member_2[1u];
-                                            if (((_e2001 + ((_e2004 - _e2007) * _e1681)) - _e2013) > 0f) {
-                                                let _e2018 = local_4.member[2u];
-                                                let _e2021 = local_4.member_1[2u];
-                                                let _e2024 = local_4.member[2u];
-                                                let _e2030 = local_4.member_2[2u];
-                                                if (((_e2018 + ((_e2021 - _e2024) * _e1681)) - _e2030) > 0f) {
-                                                    let _e2035 = local_4.member[3u];
-                                                    let _e2038 = local_4.member_1[3u];
-                                                    let _e2041 = local_4.member[3u];
-                                                    let _e2047 = local_4.member_2[3u];
-                                                    phi_3419_ = (((_e2035 + ((_e2038 - _e2041) * _e1681)) - _e2047) > 0f);
-                                                    phi_3420_ = false;
+                                        let _e1961 = phi_3249_;
+                                        local_4 = type_31(array<f32, 4>(_e1961.member[0], _e1961.member[1], _e1961.member[2], _e1961.member[3]), array<f32, 4>(_e1961.member_1[0], _e1961.member_1[1], _e1961.member_1[2], _e1961.member_1[3]), array<f32, 4>(_e1961.member_2[0], _e1961.member_2[1], _e1961.member_2[2], _e1961.member_2[3]));
+                                        let _e1981 = (_e1682 - _e1688);
+                                        let _e1985 = local_4.member[0u];
+                                        let _e1988 = local_4.member_1[0u];
+                                        let _e1991 = local_4.member[0u];
+                                        let _e1997 = local_4.member_2[0u];
+                                        if (((_e1985 + ((_e1988 - _e1991) * _e1682)) - _e1997) > 0f) {
+                                            let _e2002 = local_4.member[1u];
+                                            let _e2005 = local_4.member_1[1u];
+                                            let _e2008 = local_4.member[1u];
+                                            let _e2014 = local_4.member_2[1u];
+                                            if (((_e2002 + ((_e2005 - _e2008) * _e1682)) - _e2014) > 0f) {
+                                                let _e2019 = local_4.member[2u];
+                                                let _e2022 = local_4.member_1[2u];
+                                                let _e2025 = local_4.member[2u];
+                                                let _e2031 = local_4.member_2[2u];
+                                                if (((_e2019 + ((_e2022 - _e2025) * _e1682)) - _e2031) > 0f) {
+                                                    let _e2036 = local_4.member[3u];
+                                                    let _e2039 = local_4.member_1[3u];
+                                                    let _e2042 = local_4.member[3u];
+                                                    let _e2048 = local_4.member_2[3u];
+                                                    phi_3420_ = (((_e2036 + ((_e2039 - _e2042) * _e1682)) - _e2048) > 0f);
+                                                    phi_3421_ = false;
                                                 } else {
-                                                    phi_3419_ = bool();
-                                                    phi_3420_ = true;
+                                                    phi_3420_ = bool();
+                                                    phi_3421_ = true;
                                                 }
-                                                let _e2051 = phi_3419_;
-                                                let _e2053 = phi_3420_;
-                                                phi_3421_ = _e2051;
-                                                phi_3422_ = _e2053;
+                                                let _e2052 = phi_3420_;
+                                                let _e2054 = phi_3421_;
+                                                phi_3422_ = _e2052;
+                                                phi_3423_ = _e2054;
                                             } else {
-                                                phi_3421_ = bool();
-                                                phi_3422_ = true;
+                                                phi_3422_ = bool();
+                                                phi_3423_ = true;
                                             }
-                                            let _e2055 = phi_3421_;
-                                            let _e2057 = phi_3422_;
-                                            phi_3423_ = _e2055;
-                                            phi_3424_ = _e2057;
+                                            let _e2056 = phi_3422_;
+                                            let _e2058 = phi_3423_;
+                                            phi_3424_ = _e2056;
+                                            phi_3425_ = _e2058;
                                         } else {
-                                            phi_3423_ = bool();
-                                            phi_3424_ = true;
+                                            phi_3424_ = bool();
+                                            phi_3425_ = true;
                                         }
-                                        let _e2059 = phi_3423_;
-                                        let _e2061 = phi_3424_;
-                                        if select(_e2059, false, _e2061) {
-                                            if (_e1681 <= _e1683) {
-                                                phi_3738_ = true;
+                                        let _e2060 = phi_3424_;
+                                        let _e2062 = phi_3425_;
+                                        if select(_e2060, false, _e2062) {
+                                            if (_e1682 <= _e1684) {
+                                                phi_3739_ = true;
                                             } else {
-                                                let _e2066 = local_3.member[0u];
-                                                let _e2069 = local_3.member_1[0u];
-                                                let _e2072 = local_3.member[0u];
-                                                let _e2078 = local_3.member_2[0u];
-                                                let _e2082 = local_4.member[0u];
-                                                let _e2085 = local_4.member_1[0u];
-                                                let _e2088 = local_4.member[0u];
-                                                let _e2094 = local_4.member_2[0u];
-                                                if ((((_e2066 + ((_e2069 - _e2072) * _e1681)) - _e2078) + ((_e2082 + ((_e2085 - _e2088) * _e1687)) - _e2094)) > 0f) {
-                                                    let _e2100 = local_3.member[1u];
-                                                    let _e2103 = local_3.member_1[1u];
-                                                    let _e2106 = local_3.member[1u];
-                                                    let _e2112 = local_3.member_2[1u];
-                                                    let _e2116 = local_4.member[1u];
-                                                    let _e2119 = local_4.member_1[1u];
-                                                    let _e2122 = local_4.member[1u];
-                                                    let _e2128 = local_4.member_2[1u];
-                                                    if ((((_e2100 + ((_e2103 - _e2106) * _e1681)) - _e2112) + ((_e2116 + ((_e2119 - _e2122) * _e1687)) - _e2128)) > 0f) {
-                                                        let _e2134 = local_3.member[2u];
-                                                        let _e2137 = local_3.member_1[2u];
-                                                        let _e2140 = local_3.member[2u];
-                                                        let _e2146 = local_3.member_2[2u];
-                                                        let _e2150 = local_4.member[2u];
-                                                        let _e2153 = local_4.member_1[2u];
-                                                        let _e2156 = local_4.member[2u];
-                                                        let _e2162 = local_4.member_2[2u];
-                                                        if ((((_e2134 + ((_e2137 - _e2140) * _e1681)) - _e2146) + ((_e2150 + ((_e2153 - _e2156) * _e1687)) - _e2162)) > 0f) {
-                                                            let _e2168 = local_3.member[3u];
-                                                            let _e2171 = local_3.member_1[3u];
-                                                            let _e2174 = local_3.member[3u];
-                                                            let _e2180 = local_3.member_2[3u];
-                                                            let _e2184 = local_4.member[3u];
-                                                            let _e2187 = local_4.member_1[3u];
-                                                            let _e2190 = local_4.member[3u];
-                                                            let _e2196 = local_4.member_2[3u];
-                                                            phi_3725_ = ((((_e2168 + ((_e2171 - _e2174) * _e1681)) - _e2180) + ((_e2184 + ((_e2187 - _e2190) * _e1687)) - _e2196)) > 0f);
-                                                            phi_3726_ = false;
+                                                let _e2067 = local_3.member[0u];
+                                                let _e2070 = local_3.member_1[0u];
+                                                let _e2073 = local_3.member[0u];
+                                                let _e2079 = local_3.member_2[0u];
+                                                let _e2083 = local_4.member[0u];
+                                                let _e2086 = local_4.member_1[0u];
+                                                let _e2089 = local_4.member[0u];
+                                                let _e2095 = local_4.member_2[0u];
+                                                if ((((_e2067 + ((_e2070 - _e2073) * _e1682)) - _e2079) + ((_e2083 + ((_e2086 - _e2089) * _e1688)) - _e2095)) > 0f) {
+                                                    let _e2101 = local_3.member[1u];
+                                                    let _e2104 = local_3.member_1[1u];
+                                                    let _e2107 = local_3.member[1u];
+                                                    let _e2113 = local_3.member_2[1u];
+                                                    let _e2117 = local_4.member[1u];
+                                                    let _e2120 = local_4.member_1[1u];
+                                                    let _e2123 = local_4.member[1u];
+                                                    let _e2129 = local_4.member_2[1u];
+                                                    if ((((_e2101 + ((_e2104 - _e2107) * _e1682)) - _e2113) + ((_e2117 + ((_e2120 - _e2123) * _e1688)) - _e2129)) > 0f) {
+                                                        let _e2135 = local_3.member[2u];
+                                                        let _e2138 = local_3.member_1[2u];
+                                                        let _e2141 = local_3.member[2u];
+                                                        let _e2147 = local_3.member_2[2u];
+                                                        let _e2151 = local_4.member[2u];
+                                                        let _e2154 = local_4.member_1[2u];
+                                                        let _e2157 = local_4.member[2u];
+                                                        let _e2163 = local_4.member_2[2u];
+                                                        if ((((_e2135 + ((_e2138 - _e2141) * _e1682)) - _e2147) + ((_e2151 + ((_e2154 - _e2157) * _e1688)) - _e2163)) > 0f) {
+                                                            let _e2169 = local_3.member[3u];
+                                                            let _e2172 = local_3.member_1[3u];
+                                                            let _e2175 = local_3.member[3u];
+                                                            let _e2181 = local_3.member_2[3u];
+                                                            let _e2185 = local_4.member[3u];
+                                                            let _e2188 = local_4.member_1[3u];
+                                                            let _e2191 = local_4.member[3u];
+                                                            let _e2197 = local_4.member_2[3u];
+                                                            phi_3726_ = ((((_e2169 + ((_e2172 - _e2175) * _e1682)) - _e2181) + ((_e2185 + ((_e2188 - _e2191) * _e1688)) - _e2197)) > 0f);
+                                                            phi_3727_ = false;
                                                         } else {
-                                                            phi_3725_ = bool();
-                                                            phi_3726_ = true;
+                                                            phi_3726_ = bool();
+                                                            phi_3727_ = true;
                                                         }
-                                                        let _e2201 = phi_3725_;
-                                                        let _e2203 = phi_3726_;
-                                                        phi_3727_ = _e2201;
-                                                        phi_3728_ = _e2203;
+                                                        let _e2202 = phi_3726_;
+                                                        let _e2204 = phi_3727_;
+                                                        phi_3728_ = _e2202;
+                                                        phi_3729_ = _e2204;
                                                     } else {
-                                                        phi_3727_ = bool();
-                                                        phi_3728_ = true;
+                                                        phi_3728_ = bool();
+                                                        phi_3729_ = true;
                                                     }
-                                                    let _e2205 = phi_3727_;
-                                                    let _e2207 = phi_3728_;
-                                                    phi_3729_ = _e2205;
-                                                    phi_3730_ = _e2207;
+                                                    let _e2206 = phi_3728_;
+                                                    let _e2208 = phi_3729_;
+                                                    phi_3730_ = _e2206;
+                                                    phi_3731_ = _e2208;
                                                 } else {
-                                                    phi_3729_ = bool();
-                                                    phi_3730_ = true;
+                                                    phi_3730_ = bool();
+                                                    phi_3731_ = true;
                                                 }
-                                                let _e2209 = phi_3729_;
-                                                let _e2211 = phi_3730_;
-                                                phi_3738_ = select(_e2209, false, _e2211);
+                                                let _e2210 = phi_3730_;
+                                                let _e2212 = phi_3731_;
+                                                phi_3739_ = select(_e2210, false, _e2212);
                                             }
-                                            let _e2214 = phi_3738_;
-                                            if _e2214 {
-                                                if select(true, select(true, false, (_e1681 >= _e382)), _e1689) {
-                                                    local_3 = type_31(array<f32, 4>(_e1960.member[0], _e1960.member[1], _e1960.member[2], _e1960.member[3]), array<f32, 4>(_e1960.member_1[0], _e1960.member_1[1], _e1960.member_1[2], _e1960.member_1[3]), array<f32, 4>(_e1960.member_2[0], _e1960.member_2[1], _e1960.member_2[2], _e1960.member_2[3]));
-                                                    let _e2239 = local_3.member[0u];
-                                                    let _e2242 = local_3.member_1[0u];
-                                                    let _e2245 = local_3.member_2[0u];
-                                                    if select(true, select(true, false, (_e2242 > _e2245)), (_e2239 > _e2245)) {
-                                                        let _e2250 = (_e2242 >= _e2239);
-                                                        if _e2250 {
-                                                            phi_3847_ = f32();
-                                                            phi_3848_ = false;
+                                            let _e2215 = phi_3739_;
+                                            if _e2215 {
+                                                if select(true, select(true, false, (_e1682 >= _e383)), _e1690) {
+                                                    local_3 = type_31(array<f32, 4>(_e1961.member[0], _e1961.member[1], _e1961.member[2], _e1961.member[3]), array<f32, 4>(_e1961.member_1[0], _e1961.member_1[1], _e1961.member_1[2], _e1961.member_1[3]), array<f32, 4>(_e1961.member_2[0], _e1961.member_2[1], _e1961.member_2[2], _e1961.member_2[3]));
+                                                    let _e2240 = local_3.member[0u];
+                                                    let _e2243 = local_3.member_1[0u];
+                                                    let _e2246 = local_3.member_2[0u];
+                                                    if select(true, select(true, false, (_e2243 > _e2246)), (_e2240 > _e2246)) {
+                                                        let _e2251 = (_e2243 >= _e2240);
+                                                        if _e2251 {
+                                                            phi_3848_ = f32();
+                                                            phi_3849_ = false;
                                                         } else {
-                                                            if ((_e2239 - _e2242) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3845_ = (((_e2239 - _e2245) / (_e2239 - _e2242)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3846_ = false;
+                                                            if ((_e2240 - _e2243) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_3846_ = (((_e2240 - _e2246) / (_e2240 - _e2243)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_3847_ = false;
                                                             } else {
-                                                                phi_3845_ = f32();
-                                                                phi_3846_ = true;
+                                                                phi_3846_ = f32();
+                                                                phi_3847_ = true;
                                                             }
-                                                            let _e2261 = phi_3845_;
-                                                            let _e2263 = phi_3846_;
-                                                            phi_3847_ = _e2261;
-                                                            phi_3848_ = _e2263;
+                                                            let _e2262 = phi_3846_;
+                                                            let _e2264 = phi_3847_;
+                                                            phi_3848_ = _e2262;
+                                                            phi_3849_ = _e2264;
                                                         }
-                                                        let _e2265 = phi_3847_;
-                                                        let _e2267 = phi_3848_;
-                                                        phi_3849_ = _e2265;
-                                                        phi_3850_ = _e2250;
-                                                        phi_3851_ = _e2267;
+                                                        let _e2266 = phi_3848_;
+                                                        let _e2268 = phi_3849_;
+                                                        phi_3850_ = _e2266;
+                                                        phi_3851_ = _e2251;
+                                                        phi_3852_ = _e2268;
                                                     } else {
-                                                        phi_3849_ = f32();
-                                                        phi_3850_ = true;
-                                                        phi_3851_ = false;
+                                                        phi_3850_ = f32();
+                                                        phi_3851_ = true;
+                                                        phi_3852_ = false;
                                                     }
-                                                    let _e2269 = phi_3849_;
-                                                    let _e2271 = phi_3850_;
-                                                    let _e2273 = phi_3851_;
-                                                    let _e2276 = select(_e2269, select(_e1681, 2f, _e2271), select(_e2273, true, _e2271));
-                                                    let _e2279 = local_3.member[1u];
-                                                    let _e2282 = local_3.member_1[1u];
-                                                    let _e2285 = local_3.member_2[1u];
-                                                    if select(true, select(true, false, (_e2282 > _e2285)), (_e2279 > _e2285)) {
-                                                        let _e2290 = (_e2282 >= _e2279);
-                                                        if _e2290 {
-                                                            phi_3915_ = f32();
-                                                            phi_3916_ = false;
+                                                    let _e2270 = phi_3850_;
+                                                    let _e2272 = phi_3851_;
+                                                    let _e2274 = phi_3852_;
+                                                    let _e2277 = select(_e2270, select(_e1682, 2f, _e2272), select(_e2274, true, _e2272));
+                                                    let _e2280 = local_3.member[1u];
+                                                    let _e2283 = local_3.member_1[1u];
+                                                    let _e2286 = local_3.member_2[1u];
+                                                    if select(true, select(true, false, (_e2283 > _e2286)), (_e2280 > _e2286)) {
+                                                        let _e2291 = (_e2283 >= _e2280);
+                                                        if _e2291 {
+                                                            phi_3916_ = f32();
+                                                            phi_3917_ = false;
                                                         } else {
-                                                            if ((_e2279 - _e2282) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3913_ = (((_e2279 - _e2285) / (_e2279 - _e2282)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3914_ = false;
+                                                            if ((_e2280 - _e2283) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_3914_ = (((_e2280 - _e2286) / (_e2280 - _e2283)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_3915_ = false;
                                                             } else {
-                                                                phi_3913_ = f32();
-                                                                phi_3914_ = true;
+                                                                phi_3914_ = f32();
+                                                                phi_3915_ = true;
                                                             }
-                                                            let _e2301 = phi_3913_;
-                                                            let _e2303 = phi_3914_;
-                                                            phi_3915_ = _e2301;
-                                                            phi_3916_ = _e2303;
+                                                            let _e2302 = phi_3914_;
+                                                            let _e2304 = phi_3915_;
+                                                            phi_3916_ = _e2302;
+                                                            phi_3917_ = _e2304;
                                                         }
-                                                        let _e2305 = phi_3915_;
-                                                        let _e2307 = phi_3916_;
-                                                        phi_3917_ = _e2305;
-                                                        phi_3918_ = _e2290;
-                                                        phi_3919_ = _e2307;
+                                                        let _e2306 = phi_3916_;
+                                                        let _e2308 = phi_3917_;
+                                                        phi_3918_ = _e2306;
+                                                        phi_3919_ = _e2291;
+                                                        phi_3920_ = _e2308;
                                                     } else {
-                                                        phi_3917_ = f32();
-                                                        phi_3918_ = true;
-                                                        phi_3919_ = false;
+                                                        phi_3918_ = f32();
+                                                        phi_3919_ = true;
+                                                        phi_3920_ = false;
                                                     }
-                                                    let _e2309 = phi_3917_;
-                                                    let _e2311 = phi_3918_;
-                                                    let _e2313 = phi_3919_;
-                                                    let _e2316 = select(_e2309, select(_e1681, 2f, _e2311), select(_e2313, true, _e2311));
-                                                    let _e2318 = select(_e2316, _e2276, (_e2276 < _e2316));
-                                                    let _e2321 = local_3.member[2u];
-                                                    let _e2324 = local_3.member_1[2u];
-                                                    let _e2327 = local_3.member_2[2u];
-                                                    if select(true, select(true, false, (_e2324 > _e2327)), (_e2321 > _e2327)) {
-                                                        let _e2332 = (_e2324 >= _e2321);
-                                                        if _e2332 {
-                                                            phi_3988_ = f32();
-                                                            phi_3989_ = false;
+                                                    let _e2310 = phi_3918_;
+                                                    let _e2312 = phi_3919_;
+                                                    let _e2314 = phi_3920_;
+                                                    let _e2317 = select(_e2310, select(_e1682, 2f, _e2312), select(_e2314, true, _e2312));
+                                                    let _e2319 = select(_e2317, _e2277, (_e2277 < _e2317));
+                                                    let _e2322 = local_3.member[2u];
+                                                    let _e2325 = local_3.member_1[2u];
+                                                    let _e2328 = local_3.member_2[2u];
+                                                    if select(true, select(true, false, (_e2325 > _e2328)), (_e2322 > _e2328)) {
+                                                        let _e2333 = (_e2325 >= _e2322);
+                                                        if _e2333 {
+                                                            phi_3989_ = f32();
+                                                            phi_3990_ = false;
                                                         } else {
-                                                            if ((_e2321 - _e2324) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3986_ = (((_e2321 - _e2327) / (_e2321 - _e2324)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3987_ = false;
+                                                            if ((_e2322 - _e2325) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_3987_ = (((_e2322 - _e2328) / (_e2322 - _e2325)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_3988_ = false;
                                                             } else {
-                                                                phi_3986_ = f32();
-                                                                phi_3987_ = true;
+                                                                phi_3987_ = f32();
+                                                                phi_3988_ = true;
                                                             }
-                                                            let _e2343 = phi_3986_;
-                                                            let _e2345 = phi_3987_;
-                                                            phi_3988_ = _e2343;
-                                                            phi_3989_ = _e2345;
+                                                            let _e2344 = phi_3987_;
+                                                            let _e2346 = phi_3988_;
+                                                            phi_3989_ = _e2344;
+                                                            phi_3990_ = _e2346;
                                                         }
-                                                        let _e2347 = phi_3988_;
-                                                        let _e2349 = phi_3989_;
-                                                        phi_3990_ = _e2347;
-                                                        phi_3991_ = _e2332;
-                                                        phi_3992_ = _e2349;
+                                                        let _e2348 = phi_3989_;
+                                                        let _e2350 = phi_3990_;
+                                                        phi_3991_ = _e2348;
+                                                        phi_3992_ = _e2333;
+                                                        phi_3993_ = _e2350;
                                                     } else {
-                                                        phi_3990_ = f32();
-                                                        phi_3991_ = true;
-                                                        phi_3992_ = false;
+                                                        phi_3991_ = f32();
+                                                        phi_3992_ = true;
+                                                        phi_3993_ = false;
                                                     }
-                                                    let _e2351 = phi_3990_;
-                                                    let _e2353 = phi_3991_;
-                                                    let _e2355 = phi_3992_;
-                                                    let _e2358 = select(_e2351, select(_e1681, 2f, _e2353), select(_e2355, true, _e2353));
-                                                    let _e2361 = local_3.member[3u];
-                                                    let _e2364 = local_3.member_1[3u];
-                                                    let _e2367 = local_3.member_2[3u];
-                                                    if select(true, select(true, false, (_e2364 > _e2367)), (_e2361 > _e2367)) {
-                                                        let _e2372 = (_e2364 >= _e2361);
-                                                        if _e2372 {
-                                                            phi_4056_ = f32();
-                                                            phi_4057_ = false;
+                                                    let _e2352 = phi_3991_;
+                                                    let _e2354 = phi_3992_;
+                                                    let _e2356 = phi_3993_;
+                                                    let _e2359 = select(_e2352, select(_e1682, 2f, _e2354), select(_e2356, true, _e2354));
+                                                    let _e2362 = local_3.member[3u];
+                                                    let _e2365 = local_3.member_1[3u];
+                                                    let _e2368 = local_3.member_2[3u];
+                                                    if select(true, select(true, false, (_e2365 > _e2368)), (_e2362 > _e2368)) {
+                                                        let _e2373 = (_e2365 >= _e2362);
+                                                        if _e2373 {
+                                                            phi_4057_ = f32();
+                                                            phi_4058_ = false;
                                                         } else {
-                                                            if ((_e2361 - _e2364) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_4054_ = (((_e2361 - _e2367) / (_e2361 - _e2364)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_4055_ = false;
+                                                            if ((_e2362 - _e2365) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_4055_ = (((_e2362 - _e2368) / (_e2362 - _e2365)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_4056_ = false;
                                                             } else {
-                                                                phi_4054_ = f32();
-                                                                phi_4055_ = true;
+                                                                phi_4055_ = f32();
+                                                                phi_4056_ = true;
                                                             }
-                                                            let _e2383 = phi_4054_;
-                                                            let _e2385 = phi_4055_;
-                                                            phi_4056_ = _e2383;
-                                                            phi_4057_ = _e2385;
+                                                            let _e2384 = phi_4055_;
+                                                            let _e2386 = phi_4056_;
+                                                            phi_4057_ = _e2384;
+                                                            phi_4058_ = _e2386;
                                                         }
-                                                        let _e2387 = phi_4056_;
-                                                        let _e2389 = phi_4057_;
-                                                        phi_4058_ = _e2387;
-                                                        phi_4059_ = _e2372;
-                                                        phi_4060_ = _e2389;
+                                                        let _e2388 = phi_4057_;
+                                                        let _e2390 = phi_4058_;
+                                                        phi_4059_ = _e2388;
+                                                        phi_4060_ = _e2373;
+                                                        phi_4061_ = _e2390;
                                                     } else {
-                                                        phi_4058_ = f32();
-                                                        phi_4059_ = true;
-                                                        phi_4060_ = false;
+                                                        phi_4059_ = f32();
+                                                        phi_4060_ = true;
+                                                        phi_4061_ = false;
                                                     }
-                                                    let _e2391 = phi_4058_;
-                                                    let _e2393 = phi_4059_;
-                                                    let _e2395 = phi_4060_;
-                                                    let _e2398 = select(_e2391, select(_e1681, 2f, _e2393), select(_e2395, true, _e2393));
-                                                    let _e2400 = select(_e2398, _e2358, (_e2358 < _e2398));
-                                                    let _e2402 = select(_e2400, _e2318, (_e2318 < _e2400));
-                                                    let _e2404 = select(_e1681, _e2402, (_e2402 > _e1681));
-                                                    let _e2405 = (_e2404 > _e382);
-                                                    if _e2405 {
-                                                        phi_4589_ = f32();
+                                                    let _e2392 = phi_4059_;
+                                                    let _e2394 = phi_4060_;
+                                                    let _e2396 = phi_4061_;
+                                                    let _e2399 = select(_e2392, select(_e1682, 2f, _e2394), select(_e2396, true, _e2394));
+                                                    let _e2401 = select(_e2399, _e2359, (_e2359 < _e2399));
+                                                    let _e2403 = select(_e2401, _e2319, (_e2319 < _e2401));
+                                                    let _e2405 = select(_e1682, _e2403, (_e2403 > _e1682));
+                                                    let _e2406 = (_e2405 > _e383);
+                                                    if _e2406 {
                                                         phi_4590_ = f32();
-                                                        phi_4591_ = false;
+                                                        phi_4591_ = f32();
                                                         phi_4592_ = false;
+                                                        phi_4593_ = false;
                                                     } else {
-                                                        let _e2406 = (_e2404 - _e1681);
-                                                        let _e2407 = (_e2406 <= _e1676);
-                                                        let _e2409 = (_e2404 + (_e378 * 0.01f));
-                                                        let _e2411 = select(_e382, _e2409, (_e2409 < _e382));
-                                                        if _e2407 {
-                                                            if (_e733.member_1 > 0f) {
-                                                                let _e2415 = local_5.member[0u];
-                                                                let _e2421 = local_5.member[1u];
-                                                                let _e2437 = local_5.member_1[0u];
-                                                                let _e2443 = local_5.member_1[1u];
-                                                                let _e2459 = local_5.member_2[0u];
-                                                                let _e2465 = local_5.member_2[1u];
-                                                                let _e2479 = function_3(array<f32, 3>((_e2415[0] + ((_e2421[0] - _e2415[0]) * _e2411)), (_e2415[1] + ((_e2421[1] - _e2415[1]) * _e2411)), (_e2415[2] + ((_e2421[2] - _e2415[2]) * _e2411))), array<f32, 3>((_e2437[0] + ((_e2443[0] - _e2437[0]) * _e2411)), (_e2437[1] + ((_e2443[1] - _e2437[1]) * _e2411)), (_e2437[2] + ((_e2443[2] - _e2437[2]) * _e2411))), array<f32, 3>((_e2459[0] + ((_e2465[0] - _e2459[0]) * _e2411)), (_e2459[1] + ((_e2465[1] - _e2459[1]) * _e2411)), (_e2459[2] + ((_e2465[2] - _e2459[2]) * _e2411))), _e225.member);
-                                                                let _e2490 = (((_e2479[0] * _e2479[0]) + (_e2479[1] * _e2479[1])) + (_e2479[2] * _e2479[2]));
-                                                                if (_e2490 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                    phi_4291_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2490 > 0f));
+                                                        let _e2407 = (_e2405 - _e1682);
+                                                        let _e2408 = (_e2407 <= _e1677);
+                                                        let _e2410 = (_e2405 + (_e379 * 0.01f));
+                                                        let _e2412 = select(_e383, _e2410, (_e2410 < _e383));
+                                                        if _e2408 {
+                                                            if (_e734.member_1 > 0f) {
+                                                                let _e2416 = local_5.member[0u];
+                                                                let _e2422 = local_5.member[1u];
+                                                                let _e2438 = local_5.member_1[0u];
+                                                                let _e2444 = local_5.member_1[1u];
+                                                                let _e2460 = local_5.member_2[0u];
+                                                                let _e2466 = local_5.member_2[1u];
+                                                                let _e2480 = function_3(array<f32, 3>((_e2416[0] + ((_e2422[0] - _e2416[0]) * _e2412)), (_e2416[1] + ((_e2422[1] - _e2416[1]) * _e2412)), (_e2416[2] + ((_e2422[2] - _e2416[2]) * _e2412))), array<f32, 3>((_e2438[0] + ((_e2444[0] - _e2438[0]) * _e2412)), (_e2438[1] + ((_e2444[1] - _e2438[1]) * _e2412)), (_e2438[2] + ((_e2444[2] - _e2438[2]) * _e2412))), array<f32, 3>((_e2460[0] + ((_e2466[0] - _e2460[0]) * _e2412)), (_e2460[1] + ((_e2466[1] - _e2460[1]) * _e2412)), (_e2460[2] + ((_e2466[2] - _e2460[2]) * _e2412))), _e226.member);
+                                                                let _e2491 = (((_e2480[0] * _e2480[0]) + (_e2480[1] * _e2480[1])) + (_e2480[2] * _e2480[2]));
+                                                                if (_e2491 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                    phi_4292_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2491 > 0f));
                                                                 } else {
-                                                                    phi_4234_ = type_14(0i, 5i);
-                                                                    phi_4237_ = bitcast<f32>(((bitcast<u32>(_e2490) >> bitcast<u32>(1i)) + 532369198u));
+                                                                    phi_4235_ = type_14(0i, 5i);
+                                                                    phi_4238_ = bitcast<f32>(((bitcast<u32>(_e2491) >> bitcast<u32>(1i)) + 532369198u));
                                                                     loop {
-                                                                        let _e2498 = phi_4234_;
-                                                                        let _e2500 = phi_4237_;
-                                                                        local_9 = _e2500;
-                                                                        if (_e2498.member < _e2498.member_1) {
-                                                                            let _e2507 = (_e2498.member + 1i);
-                                                                            phi_4235_ = type_14(select(_e2507, type_15().member_1, select(false, true, ((false == (_e2507 > _e2498.member)) != false))), _e2498.member_1);
-                                                                            phi_4278_ = type_15(1u, _e2498.member);
+                                                                        let _e2499 = phi_4235_;
+                                                                        let _e2501 = phi_4238_;
+                                                                        local_9 = _e2501;
+                                                                        if (_e2499.member < _e2499.member_1) {
+                                                                            let _e2508 = (_e2499.member + 1i);
+                                                                            phi_4236_ = type_14(select(_e2508, type_15().member_1, select(false, true, ((false == (_e2508 > _e2499.member)) != false))), _e2499.member_1);
+                                                                            phi_4279_ = type_15(1u, _e2499.member);
                                                                         } else {
-                                                                            phi_4235_ = _e2498;
-                                                                            phi_4278_ = type_15(0u, type_15().member_1);
+                                                                            phi_4236_ = _e2499;
+                                                                            phi_4279_ = type_15(0u, type_15().member_1);
                                                                         }
-                                                                        let _e2518 = phi_4235_;
-                                                                        let _e2520 = phi_4278_;
-                                                                        let _e2523 = (bitcast<i32>(_e2520.member) != 0i);
-                                                                        if _e2523 {
-                                                                            phi_4238_ = (0.5f * (_e2500 + (_e2490 / _e2500)));
+                                                                        let _e2519 = phi_4236_;
+                                                                        let _e2521 = phi_4279_;
+                                                                        let _e2524 = (bitcast<i32>(_e2521.member) != 0i);
+                                                                        if _e2524 {
+                                                                            phi_4239_ = (0.5f * (_e2501 + (_e2491 / _e2501)));
                                                                         } else {
-                                                                            phi_4238_ = f32();
+                                                                            phi_4239_ = f32();
                                                                         }
-                                                                        let _e2528 = phi_4238_;
+                                                                        let _e2529 = phi_4239_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_4234_ = _e2518;
-                                                                            phi_4237_ = _e2528;
-                                                                            break if !(_e2523);
+                                                                            phi_4235_ = _e2519;
+                                                                            phi_4238_ = _e2529;
+                                                                            break if !(_e2524);
                                                                         }
                                                                     }
-                                                                    let _e2533 = local_9;
-                                                                    phi_4291_ = (_e2533 * (1f + (8f * 0.000000059604645f)));
+                                                                    let _e2534 = local_9;
+                                                                    phi_4292_ = (_e2534 * (1f + (8f * 0.000000059604645f)));
                                                                 }
-                                                                let _e2539 = phi_4291_;
-                                                                let _e2545 = local_5.member[0u];
-                                                                let _e2551 = select(_e2545[0], -(_e2545[0]), (_e2545[0] < 0f));
-                                                                let _e2554 = select(_e2545[1], -(_e2545[1]), (_e2545[1] < 0f));
-                                                                let _e2556 = select(_e2554, _e2551, (_e2551 > _e2554));
-                                                                let _e2559 = select(_e2545[2], -(_e2545[2]), (_e2545[2] < 0f));
-                                                                let _e2561 = select(_e2559, _e2556, (_e2556 > _e2559));
-                                                                let _e2564 = local_5.member[1u];
-                                                                let _e2570 = select(_e2564[0], -(_e2564[0]), (_e2564[0] < 0f));
-                                                                let _e2573 = select(_e2564[1], -(_e2564[1]), (_e2564[1] < 0f));
-                                                                let _e2575 = select(_e2573, _e2570, (_e2570 > _e2573));
-                                                                let _e2578 = select(_e2564[2], -(_e2564[2]), (_e2564[2] < 0f));
-                                                                let _e2580 = select(_e2578, _e2575, (_e2575 > _e2578));
-                                                                let _e2584 = local_5.member_3;
-                                                                let _e2588 = local_5.member_1[0u];
-                                                                let _e2594 = select(_e2588[0], -(_e2588[0]), (_e2588[0] < 0f));
-                                                                let _e2597 = select(_e2588[1], -(_e2588[1]), (_e2588[1] < 0f));
-                                                                let _e2599 = select(_e2597, _e2594, (_e2594 > _e2597));
-                                                                let _e2602 = select(_e2588[2], -(_e2588[2]), (_e2588[2] < 0f));
-                                                                let _e2604 = select(_e2602, _e2599, (_e2599 > _e2602));
-                                                                let _e2607 = local_5.member_1[1u];
-                                                                let _e2613 = select(_e2607[0], -(_e2607[0]), (_e2607[0] < 0f));
-                                                                let _e2616 = select(_e2607[1], -(_e2607[1]), (_e2607[1] < 0f));
-                                                                let _e2618 = select(_e2616, _e2613, (_e2613 > _e2616));
-                                                                let _e2621 = select(_e2607[2], -(_e2607[2]), (_e2607[2] < 0f));
-                                                                let _e2623 = select(_e2621, _e2618, (_e2618 > _e2621));
-                                                                let _e2627 = local_5.member_3;
-                                                                let _e2631 = local_5.member_2[0u];
-                                                                let _e2637 = select(_e2631[0], -(_e2631[0]), (_e2631[0] < 0f));
-                                                                let _e2640 = select(_e2631[1], -(_e2631[1]), (_e2631[1] < 0f));
-                                                                let _e2642 = select(_e2640, _e2637, (_e2637 > _e2640));
-                                                                let _e2645 = select(_e2631[2], -(_e2631[2]), (_e2631[2] < 0f));
-                                                                let _e2647 = select(_e2645, _e2642, (_e2642 > _e2645));
-                                                                let _e2650 = local_5.member_2[1u];
-                                                                let _e2656 = select(_e2650[0], -(_e2650[0]), (_e2650[0] < 0f));
-                                                                let _e2659 = select(_e2650[1], -(_e2650[1]), (_e2650[1] < 0f));
-                                                                let _e2661 = select(_e2659, _e2656, (_e2656 > _e2659));
-                                                                let _e2664 = select(_e2650[2], -(_e2650[2]), (_e2650[2] < 0f));
-                                                                let _e2666 = select(_e2664, _e2661, (_e2661 > _e2664));
-                                                                let _e2670 = local_5.member_3;
-                                                                let _e2677 = local_5.member_3;
-                                                                phi_4562_ = select(true, false, (((_e2539 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e2580, _e2561, (_e2561 > _e2580)) + _e2584) + (select(_e2623, _e2604, (_e2604 > _e2623)) + _e2627)) + (select(_e2666, _e2647, (_e2647 > _e2666)) + _e2670)) * (0.000000059604645f * 16f)) + (_e2677 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e733.member_1));
+                                                                let _e2540 = phi_4292_;
+                                                                let _e2546 = local_5.member[0u];
+                                                                let _e2552 = select(_e2546[0], -(_e2546[0]), (_e2546[0] < 0f));
+                                                                let _e2555 = select(_e2546[1], -(_e2546[1]), (_e2546[1] < 0f));
+                                                                let _e2557 = select(_e2555, _e2552, (_e2552 > _e2555));
+                                                                let _e2560 = select(_e2546[2], -(_e2546[2]), (_e2546[2] < 0f));
+                                                                let _e2562 = select(_e2560, _e2557, (_e2557 > _e2560));
+                                                                let _e2565 = local_5.member[1u];
+                                                                let _e2571 = select(_e2565[0], -(_e2565[0]), (_e2565[0] < 0f));
+                                                                let _e2574 = select(_e2565[1], -(_e2565[1]), (_e2565[1] < 0f));
+                                                                let _e2576 = select(_e2574, _e2571, (_e2571 > _e2574));
+                                                                let _e2579 = select(_e2565[2], -(_e2565[2]), (_e2565[2] < 0f));
+                                                                let _e2581 = select(_e2579, _e2576, (_e2576 > _e2579));
+                                                                let _e2585 = local_5.member_3;
+                                                                let _e2589 = local_5.member_1[0u];
+                                                                let _e2595 = select(_e2589[0], -(_e2589[0]), (_e2589[0] < 0f));
+                                                                let _e2598 = select(_e2589[1], -(_e2589[1]), (_e2589[1] < 0f));
+                                                                let _e2600 = select(_e2598, _e2595, (_e2595 > _e2598));
+                                                                let _e2603 = select(_e2589[2], -(_e2589[2]), (_e2589[2] < 0f));
+                                                                let _e2605 = select(_e2603, _e2600, (_e2600 > _e2603));
+                                                                let _e2608 = local_5.member_1[1u];
+                                                                let _e2614 = select(_e2608[0], -(_e2608[0]), (_e2608[0] < 0f));
+                                                                let _e2617 = select(_e2608[1], -(_e2608[1]), (_e2608[1] < 0f));
+                                                                let _e2619 = select(_e2617, _e2614, (_e2614 > _e2617));
+                                                                let _e2622 = select(_e2608[2], -(_e2608[2]), (_e2608[2] < 0f));
+                                                                let _e2624 = select(_e2622, _e2619, (_e2619 > _e2622));
+                                                                let _e2628 = local_5.member_3;
+                                                                let _e2632 = local_5.member_2[0u];
+                                                                let _e2638 = select(_e2632[0], -(_e2632[0]), (_e2632[0] < 0f));
+                                                                let _e2641 = select(_e2632[1], -(_e2632[1]), (_e2632[1] < 0f));
+                                                                let _e2643 = select(_e2641, _e2638, (_e2638 > _e2641));
+                                                                let _e2646 = select(_e2632[2], -(_e2632[2]), (_e2632[2] < 0f));
+                                                                let _e2648 = select(_e2646, _e2643, (_e2643 > _e2646));
+                                                                let _e2651 = local_5.member_2[1u];
+                                                                let _e2657 = select(_e2651[0], -(_e2651[0]), (_e2651[0] < 0f));
+                                                                let _e2660 = select(_e2651[1], -(_e2651[1]), (_e2651[1] < 0f));
+                                                                let _e2662 = select(_e2660, _e2657, (_e2657 > _e2660));
+                                                                let _e2665 = select(_e2651[2], -(_e2651[2]), (_e2651[2] < 0f));
+                                                                let _e2667 = select(_e2665, _e2662, (_e2662 > _e2665));
+                                                                let _e2671 = local_5.member_3;
+                                                                let _e2678 = local_5.member_3;
+                                                                phi_4563_ = select(true, false, (((_e2540 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e2581, _e2562, (_e2562 > _e2581)) + _e2585) + (select(_e2624, _e2605, (_e2605 > _e2624)) + _e2628)) + (select(_e2667, _e2648, (_e2648 > _e2667)) + _e2671)) * (0.000000059604645f * 16f)) + (_e2678 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e734.member_1));
                                                             } else {
-                                                                phi_4562_ = true;
+                                                                phi_4563_ = true;
                                                             }
-                                                            let _e2687 = phi_4562_;
-                                                            phi_4563_ = _e2687;
+                                                            let _e2688 = phi_4563_;
+                                                            phi_4564_ = _e2688;
                                                         } else {
-                                                            phi_4563_ = true;
+                                                            phi_4564_ = true;
                                                         }
-                                                        let _e2689 = phi_4563_;
-                                                        phi_4589_ = select(f32(), select((_e382 - _e1681), select(0f, (_e1980 + _e1980), select(select(true, false, (_e2406 <= (_e1685 * 0.25f))), true, _e2407)), _e1689), _e2689);
-                                                        phi_4590_ = _e2406;
-                                                        phi_4591_ = _e2689;
-                                                        phi_4592_ = select(true, false, _e2689);
+                                                        let _e2690 = phi_4564_;
+                                                        phi_4590_ = select(f32(), select((_e383 - _e1682), select(0f, (_e1981 + _e1981), select(select(true, false, (_e2407 <= (_e1686 * 0.25f))), true, _e2408)), _e1690), _e2690);
+                                                        phi_4591_ = _e2407;
+                                                        phi_4592_ = _e2690;
+                                                        phi_4593_ = select(true, false, _e2690);
                                                     }
-                                                    let _e2701 = phi_4589_;
-                                                    let _e2703 = phi_4590_;
-                                                    let _e2705 = phi_4591_;
-                                                    let _e2707 = phi_4592_;
-                                                    phi_4593_ = _e2404;
-                                                    phi_4594_ = _e2701;
-                                                    phi_4595_ = _e2703;
-                                                    phi_4596_ = _e2404;
-                                                    phi_4597_ = _e2705;
-                                                    phi_4598_ = _e2405;
-                                                    phi_4599_ = _e2707;
-                                                    phi_4600_ = false;
+                                                    let _e2702 = phi_4590_;
+                                                    let _e2704 = phi_4591_;
+                                                    let _e2706 = phi_4592_;
+                                                    let _e2708 = phi_4593_;
+                                                    phi_4594_ = _e2405;
+                                                    phi_4595_ = _e2702;
+                                                    phi_4596_ = _e2704;
+                                                    phi_4597_ = _e2405;
+                                                    phi_4598_ = _e2706;
+                                                    phi_4599_ = _e2406;
+                                                    phi_4600_ = _e2708;
+                                                    phi_4601_ = false;
                                                 } else {
-                                                    phi_4593_ = f32();
                                                     phi_4594_ = f32();
                                                     phi_4595_ = f32();
                                                     phi_4596_ = f32();
-                                                    phi_4597_ = false;
+                                                    phi_4597_ = f32();
                                                     phi_4598_ = false;
                                                     phi_4599_ = false;
-                                                    phi_4600_ = true;
+                                                    phi_4600_ = false;
+                                                    phi_4601_ = true;
                                                 }
-                                                let _e2709 = phi_4593_;
-                                                let _e2711 = phi_4594_;
-                                                let _e2713 = phi_4595_;
-                                                let _e2715 = phi_4596_;
-                                                let _e2717 = phi_4597_;
-                                                let _e2719 = phi_4598_;
-                                                let _e2721 = phi_4599_;
-                                                let _e2723 = phi_4600_;
-                                                phi_4601_ = _e2709;
-                                                phi_4602_ = _e2711;
-                                                phi_4603_ = _e2713;
-                                                phi_4604_ = _e2715;
-                                                phi_4605_ = false;
-                                                phi_4606_ = _e2717;
-                                                phi_4607_ = _e2719;
-                                                phi_4608_ = _e2721;
-                                                phi_4609_ = _e2723;
+                                                let _e2710 = phi_4594_;
+                                                let _e2712 = phi_4595_;
+                                                let _e2714 = phi_4596_;
+                                                let _e2716 = phi_4597_;
+                                                let _e2718 = phi_4598_;
+                                                let _e2720 = phi_4599_;
+                                                let _e2722 = phi_4600_;
+                                                let _e2724 = phi_4601_;
+                                                phi_4602_ = _e2710;
+                                                phi_4603_ = _e2712;
+                                                phi_4604_ = _e2714;
+                                                phi_4605_ = _e2716;
+                                                phi_4606_ = false;
+                                                phi_4607_ = _e2718;
+                                                phi_4608_ = _e2720;
+                                                phi_4609_ = _e2722;
+                                                phi_4610_ = _e2724;
                                             } else {
-                                                phi_4601_ = f32();
                                                 phi_4602_ = f32();
                                                 phi_4603_ = f32();
                                                 phi_4604_ = f32();
-                                                phi_4605_ = true;
-                                                phi_4606_ = false;
+                                                phi_4605_ = f32();
+                                                phi_4606_ = true;
                                                 phi_4607_ = false;
                                                 phi_4608_ = false;
                                                 phi_4609_ = false;
+                                                phi_4610_ = false;
                                             }
-                                            let _e2725 = phi_4601_;
-                                            let _e2727 = phi_4602_;
-                                            let _e2729 = phi_4603_;
-                                            let _e2731 = phi_4604_;
-                                            let _e2733 = phi_4605_;
-                                            let _e2735 = phi_4606_;
-                                            let _e2737 = phi_4607_;
-                                            let _e2739 = phi_4608_;
-                                            let _e2741 = phi_4609_;
-                                            phi_4610_ = _e2725;
-                                            phi_4611_ = _e2727;
-                                            phi_4612_ = _e2729;
-                                            phi_4613_ = _e2731;
-                                            phi_4614_ = _e2733;
-                                            phi_4615_ = _e2735;
-                                            phi_4616_ = _e2737;
-                                            phi_4617_ = _e2739;
-                                            phi_4618_ = _e2741;
+                                            let _e2726 = phi_4602_;
+                                            let _e2728 = phi_4603_;
+                                            let _e2730 = phi_4604_;
+                                            let _e2732 = phi_4605_;
+                                            let _e2734 = phi_4606_;
+                                            let _e2736 = phi_4607_;
+                                            let _e2738 = phi_4608_;
+                                            let _e2740 = phi_4609_;
+                                            let _e2742 = phi_4610_;
+                                            phi_4611_ = _e2726;
+                                            phi_4612_ = _e2728;
+                                            phi_4613_ = _e2730;
+                                            phi_4614_ = _e2732;
+                                            phi_4615_ = _e2734;
+                                            phi_4616_ = _e2736;
+                                            phi_4617_ = _e2738;
+                                            phi_4618_ = _e2740;
+                                            phi_4619_ = _e2742;
                                         } else {
-                                            phi_4610_ = f32();
                                             phi_4611_ = f32();
                                             phi_4612_ = f32();
                                             phi_4613_ = f32();
-                                            phi_4614_ = true;
-                                            phi_4615_ = false;
+                                            phi_4614_ = f32();
+                                            phi_4615_ = true;
                                             phi_4616_ = false;
                                             phi_4617_ = false;
                                             phi_4618_ = false;
+                                            phi_4619_ = false;
                                         }
-                                        let _e2743 = phi_4610_;
-                                        let _e2745 = phi_4611_;
-                                        let _e2747 = phi_4612_;
-                                        let _e2749 = phi_4613_;
-                                        let _e2751 = phi_4614_;
-                                        let _e2753 = phi_4615_;
-                                        let _e2755 = phi_4616_;
-                                        let _e2757 = phi_4617_;
-                                        let _e2759 = phi_4618_;
-                                        if _e2751 {
-                                            if (_e1681 <= _e1683) {
-                                                let _e2912 = (_e1691 + 1u);
-                                                let _e2913 = (_e2912 > 3u);
-                                                phi_4953_ = _e2912;
-                                                phi_4954_ = f32();
-                                                phi_4955_ = false;
-                                                phi_4956_ = select(true, false, _e2913);
-                                                phi_4957_ = _e2913;
-                                            } else {
-                                                let _e2763 = local_3.member[0u];
-                                                let _e2766 = local_3.member_1[0u];
-                                                let _e2769 = local_3.member[0u];
-                                                let _e2775 = local_3.member_2[0u];
-                                                let _e2776 = ((_e2763 + ((_e2766 - _e2769) * _e1687)) - _e2775);
-                                                let _e2779 = local_3.member[1u];
-                                                let _e2782 = local_3.member_1[1u];
-                                                let _e2785 = local_3.member[1u];
-                                                let _e2791 = local_3.member_2[1u];
-                                                let _e2792 = ((_e2779 + ((_e2782 - _e2785) * _e1687)) - _e2791);
-                                                let _e2794 = select(_e2792, _e2776, (_e2776 < _e2792));
-                                                let _e2797 = local_3.member[2u];
-                                                let _e2800 = local_3.member_1[2u];
-                                                let _e2803 = local_3.member[2u];
-                                                let _e2809 = local_3.member_2[2u];
-                                                let _e2810 = ((_e2797 + ((_e2800 - _e2803) * _e1687)) - _e2809);
-                                                let _e2813 = local_3.member[3u];
-                                                let _e2816 = local_3.member_1[3u];
-                                                let _e2819 = local_3.member[3u];
-                                                let _e2825 = local_3.member_2[3u];
-                                                let _e2826 = ((_e2813 + ((_e2816 - _e2819) * _e1687)) - _e2825);
-                                                let _e2828 = select(_e2826, _e2810, (_e2810 < _e2826));
-                                                let _e2830 = select(_e2828, _e2794, (_e2794 < _e2828));
-                                                let _e2833 = local_4.member[0u];
-                                                let _e2836 = local_4.member_1[0u];
-                                                let _e2839 = local_4.member[0u];
-                                                let _e2845 = local_4.member_2[0u];
-                                                let _e2846 = ((_e2833 + ((_e2836 - _e2839) * _e1681)) - _e2845);
-                                                let _e2849 = local_4.member[1u];
-                                                let _e2852 = local_4.member_1[1u];
-                                                let _e2855 = local_4.member[1u];
-                                                let _e2861 = local_4.member_2[1u];
-                                                let _e2862 = ((_e2849 + ((_e2852 - _e2855) * _e1681)) - _e2861);
-                                                let _e2864 = select(_e2862, _e2846, (_e2846 < _e2862));
-                                                let _e2867 = local_4.member[2u];
-                                                let _e2870 = local_4.member_1[2u];
-                                                let _e2873 = local_4.member[2u];
-                                                let _e2879 = local_4.member_2[2u];
-                                                let _e2880 = ((_e2867 + ((_e2870 - _e2873) * _e1681)) - _e2879);
-                                                let _e2883 = local_4.member[3u];
-                                                let _e2886 = local_4.member_1[3u];
-                                                let _e2889 = local_4.member[3u];
-                                                let _e2895 = local_4.member_2[3u];
-                                                let _e2896 = ((_e2883 + ((_e2886 - _e2889) * _e1681)) - _e2895);
-                                                let _e2898 = select(_e2896, _e2880, (_e2880 < _e2896));
-                                                let _e2900 = select(_e2898, _e2864, (_e2864 < _e2898));
-                                                if (_e2900 > 0f) {
-                                                    phi_4951_ = 0.5f;
-                                                } else {
-                                                    let _e2904 = (0.95f * (_e2830 / (_e2830 - _e2900)));
-                                                    phi_4951_ = select(0.0625f, select(0.9f, _e2904, (_e2904 < 0.9f)), (_e2904 > 0.0625f));
-                                                }
-                                                let _e2910 = phi_4951_;
-                                                phi_4953_ = u32();
-                                                phi_4954_ = (_e1980 * _e2910);
-                                                phi_4955_ = true;
+                                        let _e2744 = phi_4611_;
+                                        let _e2746 = phi_4612_;
+                                        let _e2748 = phi_4613_;
+                                        let _e2750 = phi_4614_;
+                                        let _e2752 = phi_4615_;
+                                        let _e2754 = phi_4616_;
+                                        let _e2756 = phi_4617_;
+                                        let _e2758 = phi_4618_;
+                                        let _e2760 = phi_4619_;
+                                        if _e2752 {
+                                            if (_e1682 <= _e1684) {
+                                                let _e2913 = (_e1692 + 1u);
+                                                let _e2914 = (_e2913 > 3u);
+                                                phi_4954_ = _e2913;
+                                                phi_4955_ = f32();
                                                 phi_4956_ = false;
+                                                phi_4957_ = select(true, false, _e2914);
+                                                phi_4958_ = _e2914;
+                                            } else {
+                                                let _e2764 = local_3.member[0u];
+                                                let _e2767 = local_3.member_1[0u];
+                                                let _e2770 = local_3.member[0u];
+                                                let _e2776 = local_3.member_2[0u];
+                                                let _e2777 = ((_e2764 + ((_e2767 - _e2770) * _e1688)) - _e2776);
+                                                let _e2780 = local_3.member[1u];
+                                                let _e2783 = local_3.member_1[1u];
+                                                let _e2786 = local_3.member[1u];
+                                                let _e2792 = local_3.member_2[1u];
+                                                let _e2793 = ((_e2780 + ((_e2783 - _e2786) * _e1688)) - _e2792);
+                                                let _e2795 = select(_e2793, _e2777, (_e2777 < _e2793));
+                                                let _e2798 = local_3.member[2u];
+                                                let _e2801 = local_3.member_1[2u];
+                                                let _e2804 = local_3.member[2u];
+                                                let _e2810 = local_3.member_2[2u];
+                                                let _e2811 = ((_e2798 + ((_e2801 - _e2804) * _e1688)) - _e2810);
+                                                let _e2814 = local_3.member[3u];
+                                                let _e2817 = local_3.member_1[3u];
+                                                let _e2820 = local_3.member[3u];
+                                                let _e2826 = local_3.member_2[3u];
+                                                let _e2827 = ((_e2814 + ((_e2817 - _e2820) * _e1688)) - _e2826);
+                                                let _e2829 = select(_e2827, _e2811, (_e2811 < _e2827));
+                                                let _e2831 = select(_e2829, _e2795, (_e2795 < _e2829));
+                                                let _e2834 = local_4.member[0u];
+                                                let _e2837 = local_4.member_1[0u];
+                                                let _e2840 = local_4.member[0u];
+                                                let _e2846 = local_4.member_2[0u];
+                                                let _e2847 = ((_e2834 + ((_e2837 - _e2840) * _e1682)) - _e2846);
+                                                let _e2850 = local_4.member[1u];
+                                                let _e2853 = local_4.member_1[1u];
+                                                let _e2856 = local_4.member[1u];
+                                                let _e2862 = local_4.member_2[1u];
+                                                let _e2863 = ((_e2850 + ((_e2853 - _e2856) * _e1682)) - _e2862);
+                                                let _e2865 = select(_e2863, _e2847, (_e2847 < _e2863));
+                                                let _e2868 = local_4.member[2u];
+                                                let _e2871 = local_4.member_1[2u];
+                                                let _e2874 = local_4.member[2u];
+                                                let _e2880 = local_4.member_2[2u];
+                                                let _e2881 = ((_e2868 + ((_e2871 - _e2874) * _e1682)) - _e2880);
+                                                let _e2884 = local_4.member[3u];
+                                                let _e2887 = local_4.member_1[3u];
+                                                let _e2890 = local_4.member[3u];
+                                                let _e2896 = local_4.member_2[3u];
+                                                let _e2897 = ((_e2884 + ((_e2887 - _e2890) * _e1682)) - _e2896);
+                                                let _e2899 = select(_e2897, _e2881, (_e2881 < _e2897));
+                                                let _e2901 = select(_e2899, _e2865, (_e2865 < _e2899));
+                                                if (_e2901 > 0f) {
+                                                    phi_4952_ = 0.5f;
+                                                } else {
+                                                    let _e2905 = (0.95f * (_e2831 / (_e2831 - _e2901)));
+                                                    phi_4952_ = select(0.0625f, select(0.9f, _e2905, (_e2905 < 0.9f)), (_e2905 > 0.0625f));
+                                                }
+                                                let _e2911 = phi_4952_;
+                                                phi_4954_ = u32();
+                                                phi_4955_ = (_e1981 * _e2911);
+                                                phi_4956_ = true;
                                                 phi_4957_ = false;
+                                                phi_4958_ = false;
                                             }
-                                            let _e2916 = phi_4953_;
-                                            let _e2918 = phi_4954_;
-                                            let _e2920 = phi_4955_;
-                                            let _e2922 = phi_4956_;
-                                            let _e2924 = phi_4957_;
-                                            phi_4958_ = _e2916;
-                                            phi_4959_ = _e1683;
-                                            phi_4960_ = _e2918;
-                                            phi_4961_ = _e1685;
-                                            phi_4962_ = _e1687;
-                                            phi_4963_ = _e1689;
-                                            phi_4964_ = _e1691;
-                                            phi_4965_ = _e2920;
-                                            phi_4966_ = _e2922;
-                                            phi_4967_ = _e2924;
-                                            phi_4968_ = false;
+                                            let _e2917 = phi_4954_;
+                                            let _e2919 = phi_4955_;
+                                            let _e2921 = phi_4956_;
+                                            let _e2923 = phi_4957_;
+                                            let _e2925 = phi_4958_;
+                                            phi_4959_ = _e2917;
+                                            phi_4960_ = _e1684;
+                                            phi_4961_ = _e2919;
+                                            phi_4962_ = _e1686;
+                                            phi_4963_ = _e1688;
+                                            phi_4964_ = _e1690;
+                                            phi_4965_ = _e1692;
+                                            phi_4966_ = _e2921;
+                                            phi_4967_ = _e2923;
+                                            phi_4968_ = _e2925;
                                             phi_4969_ = false;
                                             phi_4970_ = false;
+                                            phi_4971_ = false;
                                         } else {
-                                            phi_4958_ = u32();
-                                            phi_4959_ = _e2743;
-                                            phi_4960_ = _e2745;
-                                            phi_4961_ = _e2747;
-                                            phi_4962_ = _e1681;
-                                            phi_4963_ = true;
-                                            phi_4964_ = 0u;
-                                            phi_4965_ = _e2753;
-                                            phi_4966_ = false;
+                                            phi_4959_ = u32();
+                                            phi_4960_ = _e2744;
+                                            phi_4961_ = _e2746;
+                                            phi_4962_ = _e2748;
+                                            phi_4963_ = _e1682;
+                                            phi_4964_ = true;
+                                            phi_4965_ = 0u;
+                                            phi_4966_ = _e2754;
                                             phi_4967_ = false;
-                                            phi_4968_ = _e2755;
-                                            phi_4969_ = _e2757;
-                                            phi_4970_ = _e2759;
+                                            phi_4968_ = false;
+                                            phi_4969_ = _e2756;
+                                            phi_4970_ = _e2758;
+                                            phi_4971_ = _e2760;
                                         }
-                                        let _e2926 = phi_4958_;
-                                        let _e2928 = phi_4959_;
-                                        let _e2930 = phi_4960_;
-                                        let _e2932 = phi_4961_;
-                                        let _e2934 = phi_4962_;
-                                        let _e2936 = phi_4963_;
-                                        let _e2938 = phi_4964_;
-                                        let _e2940 = phi_4965_;
-                                        let _e2942 = phi_4966_;
-                                        let _e2944 = phi_4967_;
-                                        let _e2946 = phi_4968_;
-                                        let _e2948 = phi_4969_;
-                                        let _e2950 = phi_4970_;
-                                        if _e2940 {
-                                            let _e2951 = (_e2934 + _e2930);
-                                            let _e2953 = select(_e2928, _e2951, (_e2951 > _e2928));
-                                            let _e2955 = select(_e382, _e2953, (_e2953 < _e382));
-                                            let _e2958 = select(((_e2955 - _e2934) > _e1676), true, !(_e1689));
-                                            phi_4998_ = _e2955;
-                                            phi_4999_ = _e2928;
-                                            phi_5000_ = _e2932;
-                                            phi_5001_ = _e2934;
-                                            phi_5002_ = _e2936;
-                                            phi_5003_ = _e2938;
-                                            phi_5004_ = _e2958;
-                                            phi_5005_ = select(true, false, _e2958);
-                                            phi_5006_ = false;
+                                        let _e2927 = phi_4959_;
+                                        let _e2929 = phi_4960_;
+                                        let _e2931 = phi_4961_;
+                                        let _e2933 = phi_4962_;
+                                        let _e2935 = phi_4963_;
+                                        let _e2937 = phi_4964_;
+                                        let _e2939 = phi_4965_;
+                                        let _e2941 = phi_4966_;
+                                        let _e2943 = phi_4967_;
+                                        let _e2945 = phi_4968_;
+                                        let _e2947 = phi_4969_;
+                                        let _e2949 = phi_4970_;
+                                        let _e2951 = phi_4971_;
+                                        if _e2941 {
+                                            let _e2952 = (_e2935 + _e2931);
+                                            let _e2954 = select(_e2929, _e2952, (_e2952 > _e2929));
+                                            let _e2956 = select(_e383, _e2954, (_e2954 < _e383));
+                                            let _e2959 = select(((_e2956 - _e2935) > _e1677), true, !(_e1690));
+                                            phi_4999_ = _e2956;
+                                            phi_5000_ = _e2929;
+                                            phi_5001_ = _e2933;
+                                            phi_5002_ = _e2935;
+                                            phi_5003_ = _e2937;
+                                            phi_5004_ = _e2939;
+                                            phi_5005_ = _e2959;
+                                            phi_5006_ = select(true, false, _e2959);
                                             phi_5007_ = false;
                                             phi_5008_ = false;
                                             phi_5009_ = false;
+                                            phi_5010_ = false;
                                         } else {
-                                            phi_4998_ = _e1681;
-                                            phi_4999_ = _e1683;
-                                            phi_5000_ = _e1685;
-                                            phi_5001_ = _e1687;
-                                            phi_5002_ = _e1689;
-                                            phi_5003_ = _e2926;
-                                            phi_5004_ = _e2942;
-                                            phi_5005_ = false;
-                                            phi_5006_ = _e2944;
-                                            phi_5007_ = _e2946;
-                                            phi_5008_ = _e2948;
-                                            phi_5009_ = _e2950;
+                                            phi_4999_ = _e1682;
+                                            phi_5000_ = _e1684;
+                                            phi_5001_ = _e1686;
+                                            phi_5002_ = _e1688;
+                                            phi_5003_ = _e1690;
+                                            phi_5004_ = _e2927;
+                                            phi_5005_ = _e2943;
+                                            phi_5006_ = false;
+                                            phi_5007_ = _e2945;
+                                            phi_5008_ = _e2947;
+                                            phi_5009_ = _e2949;
+                                            phi_5010_ = _e2951;
                                         }
-                                        let _e2961 = phi_4998_;
-                                        let _e2963 = phi_4999_;
-                                        let _e2965 = phi_5000_;
-                                        let _e2967 = phi_5001_;
-                                        let _e2969 = phi_5002_;
-                                        let _e2971 = phi_5003_;
-                                        let _e2973 = phi_5004_;
-                                        let _e2975 = phi_5005_;
-                                        let _e2977 = phi_5006_;
-                                        let _e2979 = phi_5007_;
-                                        let _e2981 = phi_5008_;
-                                        let _e2983 = phi_5009_;
-                                        phi_2831_ = _e2961;
-                                        phi_2833_ = _e2963;
-                                        phi_2835_ = _e2965;
-                                        phi_2837_ = _e2967;
-                                        phi_2839_ = _e2969;
-                                        phi_2841_ = _e2971;
-                                        phi_5010_ = _e2928;
-                                        phi_5011_ = _e2749;
-                                        phi_5012_ = _e2973;
-                                        phi_5013_ = _e2975;
-                                        phi_5014_ = _e2977;
-                                        phi_5015_ = _e2979;
-                                        phi_5016_ = _e2981;
-                                        phi_5017_ = false;
-                                        phi_5018_ = _e2983;
+                                        let _e2962 = phi_4999_;
+                                        let _e2964 = phi_5000_;
+                                        let _e2966 = phi_5001_;
+                                        let _e2968 = phi_5002_;
+                                        let _e2970 = phi_5003_;
+                                        let _e2972 = phi_5004_;
+                                        let _e2974 = phi_5005_;
+                                        let _e2976 = phi_5006_;
+                                        let _e2978 = phi_5007_;
+                                        let _e2980 = phi_5008_;
+                                        let _e2982 = phi_5009_;
+                                        let _e2984 = phi_5010_;
+                                        phi_2832_ = _e2962;
+                                        phi_2834_ = _e2964;
+                                        phi_2836_ = _e2966;
+                                        phi_2838_ = _e2968;
+                                        phi_2840_ = _e2970;
+                                        phi_2842_ = _e2972;
+                                        phi_5011_ = _e2929;
+                                        phi_5012_ = _e2750;
+                                        phi_5013_ = _e2974;
+                                        phi_5014_ = _e2976;
+                                        phi_5015_ = _e2978;
+                                        phi_5016_ = _e2980;
+                                        phi_5017_ = _e2982;
+                                        phi_5018_ = false;
+                                        phi_5019_ = _e2984;
                                     } else {
-                                        phi_2831_ = f32();
-                                        phi_2833_ = f32();
-                                        phi_2835_ = f32();
-                                        phi_2837_ = f32();
-                                        phi_2839_ = bool();
-                                        phi_2841_ = u32();
-                                        phi_5010_ = f32();
+                                        phi_2832_ = f32();
+                                        phi_2834_ = f32();
+                                        phi_2836_ = f32();
+                                        phi_2838_ = f32();
+                                        phi_2840_ = bool();
+                                        phi_2842_ = u32();
                                         phi_5011_ = f32();
-                                        phi_5012_ = false;
+                                        phi_5012_ = f32();
                                         phi_5013_ = false;
                                         phi_5014_ = false;
                                         phi_5015_ = false;
                                         phi_5016_ = false;
-                                        phi_5017_ = true;
-                                        phi_5018_ = false;
+                                        phi_5017_ = false;
+                                        phi_5018_ = true;
+                                        phi_5019_ = false;
                                     }
-                                    let _e2985 = phi_2831_;
-                                    let _e2987 = phi_2833_;
-                                    let _e2989 = phi_2835_;
-                                    let _e2991 = phi_2837_;
-                                    let _e2993 = phi_2839_;
-                                    let _e2995 = phi_2841_;
-                                    let _e2997 = phi_5010_;
-                                    let _e2999 = phi_5011_;
-                                    let _e3001 = phi_5012_;
-                                    let _e3003 = phi_5013_;
-                                    let _e3005 = phi_5014_;
-                                    let _e3007 = phi_5015_;
-                                    let _e3009 = phi_5016_;
-                                    let _e3011 = phi_5017_;
-                                    let _e3013 = phi_5018_;
-                                    local_10 = _e3003;
-                                    local_11 = _e3005;
-                                    local_12 = _e3003;
-                                    local_13 = _e3007;
-                                    local_14 = _e3003;
-                                    local_15 = _e3009;
-                                    local_16 = _e3003;
-                                    local_17 = _e3011;
-                                    local_18 = _e3003;
-                                    local_19 = _e3013;
-                                    local_21 = _e3003;
-                                    local_22 = _e2999;
-                                    local_23 = _e2997;
+                                    let _e2986 = phi_2832_;
+                                    let _e2988 = phi_2834_;
+                                    let _e2990 = phi_2836_;
+                                    let _e2992 = phi_2838_;
+                                    let _e2994 = phi_2840_;
+                                    let _e2996 = phi_2842_;
+                                    let _e2998 = phi_5011_;
+                                    let _e3000 = phi_5012_;
+                                    let _e3002 = phi_5013_;
+                                    let _e3004 = phi_5014_;
+                                    let _e3006 = phi_5015_;
+                                    let _e3008 = phi_5016_;
+                                    let _e3010 = phi_5017_;
+                                    let _e3012 = phi_5018_;
+                                    let _e3014 = phi_5019_;
+                                    local_10 = _e3004;
+                                    local_11 = _e3006;
+                                    local_12 = _e3004;
+                                    local_13 = _e3008;
+                                    local_14 = _e3004;
+                                    local_15 = _e3010;
+                                    local_16 = _e3004;
+                                    local_17 = _e3012;
+                                    local_18 = _e3004;
+                                    local_19 = _e3014;
+                                    local_21 = _e3004;
+                                    local_22 = _e3000;
+                                    local_23 = _e2998;
                                     continue;
                                     continuing {
-                                        phi_2827_ = type_9(select(_e1679.member, (_e1679.member + 1u), _e1694), select(_e1679.member_1, _e1679.member_1, _e1694));
-                                        phi_2830_ = _e2985;
-                                        phi_2832_ = _e2987;
-                                        phi_2834_ = _e2989;
-                                        phi_2836_ = _e2991;
-                                        phi_2838_ = _e2993;
-                                        phi_2840_ = _e2995;
-                                        break if !(_e3001);
+                                        phi_2828_ = type_9(select(_e1680.member, (_e1680.member + 1u), _e1695), select(_e1680.member_1, _e1680.member_1, _e1695));
+                                        phi_2831_ = _e2986;
+                                        phi_2833_ = _e2988;
+                                        phi_2835_ = _e2990;
+                                        phi_2837_ = _e2992;
+                                        phi_2839_ = _e2994;
+                                        phi_2841_ = _e2996;
+                                        break if !(_e3002);
                                     }
                                 }
-                                let _e3016 = local_10;
-                                let _e3018 = local_11;
-                                let _e3019 = select(_e3018, false, _e3016);
-                                let _e3021 = local_12;
-                                let _e3023 = local_13;
-                                let _e3026 = local_14;
-                                let _e3028 = local_15;
-                                let _e3031 = local_16;
-                                let _e3033 = local_17;
-                                let _e3036 = local_18;
-                                let _e3038 = local_19;
-                                let _e3044 = local_20;
-                                let _e3046 = select(select(_e3023, false, _e3021), false, _e3019);
-                                let _e3049 = local_21;
-                                let _e3056 = select(select(select(_e3028, false, _e3026), false, _e3019), false, _e3046);
-                                let _e3062 = local_22;
-                                let _e3064 = local_23;
-                                let _e3066 = select(select(select(_e3049, false, _e3019), false, _e3046), true, _e3056);
-                                let _e3071 = local_24;
-                                let _e3073 = select(select(select(select(select(_e3033, false, _e3031), false, _e3019), false, _e3046), false, _e3056), true, _e3066);
-                                let _e3080 = select(select(select(select(select(select(_e3038, false, _e3036), false, _e3019), false, _e3046), false, _e3056), false, _e3066), false, _e3073);
-                                let _e3085 = select(select(select(select(select(_e3019, true, _e3046), false, _e3056), false, _e3066), false, _e3073), true, _e3080);
-                                phi_5085_ = select(select(type_34().member_1, select(_e3071, select(_e3064, _e3062, _e3056), _e3066), _e3073), select(select(select(type_34().member_1, _e3044, _e3019), type_34().member_1, _e3046), type_34().member_1, _e3080), _e3085);
-                                phi_5086_ = (select(select(type_34().member, 1u, _e3073), select(select(select(type_34().member, 1u, _e3019), 0u, _e3046), 0u, _e3080), _e3085) != 0u);
+                                let _e3017 = local_10;
+                                let _e3019 = local_11;
+                                let _e3020 = select(_e3019, false, _e3017);
+                                let _e3022 = local_12;
+                                let _e3024 = local_13;
+                                let _e3027 = local_14;
+                                let _e3029 = local_15;
+                                let _e3032 = local_16;
+                                let _e3034 = local_17;
+                                let _e3037 = local_18;
+                                let _e3039 = local_19;
+                                let _e3045 = local_20;
+                                let _e3047 = select(select(_e3024, false, _e3022), false, _e3020);
+                                let _e3050 = local_21;
+                                let _e3057 = select(select(select(_e3029, false, _e3027), false, _e3020), false, _e3047);
+                                let _e3063 = local_22;
+                                let _e3065 = local_23;
+                                let _e3067 = select(select(select(_e3050, false, _e3020), false, _e3047), true, _e3057);
+                                let _e3072 = local_24;
+                                let _e3074 = select(select(select(select(select(_e3034, false, _e3032), false, _e3020), false, _e3047), false, _e3057), true, _e3067);
+                                let _e3081 = select(select(select(select(select(select(_e3039, false, _e3037), false, _e3020), false, _e3047), false, _e3057), false, _e3067), false, _e3074);
+                                let _e3086 = select(select(select(select(select(_e3020, true, _e3047), false, _e3057), false, _e3067), false, _e3074), true, _e3081);
+                                phi_5086_ = select(select(type_34().member_1, select(_e3072, select(_e3065, _e3063, _e3057), _e3067), _e3074), select(select(select(type_34().member_1, _e3045, _e3020), type_34().member_1, _e3047), type_34().member_1, _e3081), _e3086);
+                                phi_5087_ = (select(select(type_34().member, 1u, _e3074), select(select(select(type_34().member, 1u, _e3020), 0u, _e3047), 0u, _e3081), _e3086) != 0u);
                             } else {
-                                phi_5085_ = _e1443;
-                                phi_5086_ = true;
+                                phi_5086_ = _e1444;
+                                phi_5087_ = true;
                             }
-                            let _e3090 = phi_5085_;
-                            let _e3092 = phi_5086_;
-                            if _e3092 {
-                                let _e3093 = (_e3090 > _e380);
-                                if _e3093 {
-                                    phi_7251_ = f32();
-                                    phi_7252_ = u32();
-                                    phi_7253_ = f32();
-                                    phi_7254_ = type_36();
-                                    phi_7255_ = u32();
+                            let _e3091 = phi_5086_;
+                            let _e3093 = phi_5087_;
+                            if _e3093 {
+                                let _e3094 = (_e3091 > _e381);
+                                if _e3094 {
+                                    phi_7252_ = f32();
+                                    phi_7253_ = u32();
+                                    phi_7254_ = f32();
+                                    phi_7255_ = type_36();
                                     phi_7256_ = u32();
-                                    phi_7257_ = false;
+                                    phi_7257_ = u32();
                                     phi_7258_ = false;
                                     phi_7259_ = false;
+                                    phi_7260_ = false;
                                 } else {
-                                    let _e3096 = local_5.member[0u];
-                                    let _e3102 = local_5.member[1u];
-                                    let _e3118 = local_5.member_1[0u];
-                                    let _e3124 = local_5.member_1[1u];
-                                    let _e3140 = local_5.member_2[0u];
-                                    let _e3146 = local_5.member_2[1u];
-                                    let _e3160 = function_3(array<f32, 3>((_e3096[0] + ((_e3102[0] - _e3096[0]) * _e1447)), (_e3096[1] + ((_e3102[1] - _e3096[1]) * _e1447)), (_e3096[2] + ((_e3102[2] - _e3096[2]) * _e1447))), array<f32, 3>((_e3118[0] + ((_e3124[0] - _e3118[0]) * _e1447)), (_e3118[1] + ((_e3124[1] - _e3118[1]) * _e1447)), (_e3118[2] + ((_e3124[2] - _e3118[2]) * _e1447))), array<f32, 3>((_e3140[0] + ((_e3146[0] - _e3140[0]) * _e1447)), (_e3140[1] + ((_e3146[1] - _e3140[1]) * _e1447)), (_e3140[2] + ((_e3146[2] - _e3140[2]) * _e1447))), _e225.member);
-                                    let _e3174 = ((select(_e3160[0], -(_e3160[0]), (_e3160[0] < 0f)) + select(_e3160[1], -(_e3160[1]), (_e3160[1] < 0f))) + select(_e3160[2], -(_e3160[2]), (_e3160[2] < 0f)));
-                                    let _e3177 = local_5.member[0u];
-                                    let _e3183 = local_5.member_1[0u];
-                                    let _e3189 = local_5.member_2[0u];
-                                    let _e3193 = (_e3177[0] - _e3183[0]);
-                                    let _e3194 = (_e3177[1] - _e3183[1]);
-                                    let _e3195 = (_e3177[2] - _e3183[2]);
-                                    let _e3196 = (_e225.member == 0u);
-                                    let _e3208 = local_5.member[1u];
-                                    let _e3214 = local_5.member_1[1u];
-                                    let _e3220 = local_5.member_2[1u];
-                                    let _e3224 = (_e3208[0] - _e3214[0]);
-                                    let _e3225 = (_e3208[1] - _e3214[1]);
-                                    let _e3226 = (_e3208[2] - _e3214[2]);
-                                    let _e3227 = (_e225.member == 0u);
-                                    let _e3239 = local_5.member[0u];
-                                    let _e3245 = select(_e3239[0], -(_e3239[0]), (_e3239[0] < 0f));
-                                    let _e3248 = select(_e3239[1], -(_e3239[1]), (_e3239[1] < 0f));
-                                    let _e3250 = select(_e3248, _e3245, (_e3245 > _e3248));
-                                    let _e3253 = select(_e3239[2], -(_e3239[2]), (_e3239[2] < 0f));
-                                    let _e3255 = select(_e3253, _e3250, (_e3250 > _e3253));
-                                    let _e3258 = local_5.member[1u];
-                                    let _e3264 = select(_e3258[0], -(_e3258[0]), (_e3258[0] < 0f));
-                                    let _e3267 = select(_e3258[1], -(_e3258[1]), (_e3258[1] < 0f));
-                                    let _e3269 = select(_e3267, _e3264, (_e3264 > _e3267));
-                                    let _e3272 = select(_e3258[2], -(_e3258[2]), (_e3258[2] < 0f));
-                                    let _e3274 = select(_e3272, _e3269, (_e3269 > _e3272));
-                                    let _e3278 = local_5.member_3;
-                                    let _e3282 = local_5.member_1[0u];
-                                    let _e3288 = select(_e3282[0], -(_e3282[0]), (_e3282[0] < 0f));
-                                    let _e3291 = select(_e3282[1], -(_e3282[1]), (_e3282[1] < 0f));
-                                    let _e3293 = select(_e3291, _e3288, (_e3288 > _e3291));
-                                    let _e3296 = select(_e3282[2], -(_e3282[2]), (_e3282[2] < 0f));
-                                    let _e3298 = select(_e3296, _e3293, (_e3293 > _e3296));
-                                    let _e3301 = local_5.member_1[1u];
-                                    let _e3307 = select(_e3301[0], -(_e3301[0]), (_e3301[0] < 0f));
-                                    let _e3310 = select(_e3301[1], -(_e3301[1]), (_e3301[1] < 0f));
-                                    let _e3312 = select(_e3310, _e3307, (_e3307 > _e3310));
-                                    let _e3315 = select(_e3301[2], -(_e3301[2]), (_e3301[2] < 0f));
-                                    let _e3317 = select(_e3315, _e3312, (_e3312 > _e3315));
-                                    let _e3321 = local_5.member_3;
-                                    let _e3325 = local_5.member_2[0u];
-                                    let _e3331 = select(_e3325[0], -(_e3325[0]), (_e3325[0] < 0f));
-                                    let _e3334 = select(_e3325[1], -(_e3325[1]), (_e3325[1] < 0f));
-                                    let _e3336 = select(_e3334, _e3331, (_e3331 > _e3334));
-                                    let _e3339 = select(_e3325[2], -(_e3325[2]), (_e3325[2] < 0f));
-                                    let _e3341 = select(_e3339, _e3336, (_e3336 > _e3339));
-                                    let _e3344 = local_5.member_2[1u];
-                                    let _e3350 = select(_e3344[0], -(_e3344[0]), (_e3344[0] < 0f));
-                                    let _e3353 = select(_e3344[1], -(_e3344[1]), (_e3344[1] < 0f));
-                                    let _e3355 = select(_e3353, _e3350, (_e3350 > _e3353));
-                                    let _e3358 = select(_e3344[2], -(_e3344[2]), (_e3344[2] < 0f));
-                                    let _e3360 = select(_e3358, _e3355, (_e3355 > _e3358));
-                                    let _e3364 = local_5.member_3;
-                                    let _e3371 = local_5.member_3;
-                                    local_1 = type_30(array<array<array<f32, 3>, 4>, 2>(array<array<f32, 3>, 4>(_e3177, array<f32, 3>(_e3193, _e3194, _e3195), array<f32, 3>((_e3177[0] - _e3189[0]), (_e3177[1] - _e3189[1]), (_e3177[2] - _e3189[2])), array<f32, 3>(select((_e3193 - _e3189[0]), _e3177[0], _e3196), select((_e3194 - _e3189[1]), _e3177[1], _e3196), select((_e3195 - _e3189[2]), _e3177[2], _e3196))), array<array<f32, 3>, 4>(_e3208, array<f32, 3>(_e3224, _e3225, _e3226), array<f32, 3>((_e3208[0] - _e3220[0]), (_e3208[1] - _e3220[1]), (_e3208[2] - _e3220[2])), array<f32, 3>(select((_e3224 - _e3220[0]), _e3208[0], _e3227), select((_e3225 - _e3220[1]), _e3208[1], _e3227), select((_e3226 - _e3220[2]), _e3208[2], _e3227)))), ((((((select(_e3274, _e3255, (_e3255 > _e3274)) + _e3278) + (select(_e3317, _e3298, (_e3298 > _e3317)) + _e3321)) + (select(_e3360, _e3341, (_e3341 > _e3360)) + _e3364)) * (0.000000059604645f * 16f)) + (_e3371 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)), _e733.member_1);
-                                    let _e3387 = local_1.member_1;
-                                    if (_e3174 > _e3387) {
-                                        if ((bitcast<u32>(_e3174) & 2139095040u) != 2139095040u) {
-                                            let _e3392 = (1f / _e3174);
-                                            let _e3394 = (_e3160[0] * _e3392);
-                                            let _e3396 = (_e3160[1] * _e3392);
-                                            let _e3398 = (_e3160[2] * _e3392);
-                                            let _e3403 = (((_e3394 * _e3394) + (_e3396 * _e3396)) + (_e3398 * _e3398));
-                                            if (_e3403 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_5763_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3403 > 0f));
+                                    let _e3097 = local_5.member[0u];
+                                    let _e3103 = local_5.member[1u];
+                                    let _e3119 = local_5.member_1[0u];
+                                    let _e3125 = local_5.member_1[1u];
+                                    let _e3141 = local_5.member_2[0u];
+                                    let _e3147 = local_5.member_2[1u];
+                                    let _e3161 = function_3(array<f32, 3>((_e3097[0] + ((_e3103[0] - _e3097[0]) * _e1448)), (_e3097[1] + ((_e3103[1] - _e3097[1]) * _e1448)), (_e3097[2] + ((_e3103[2] - _e3097[2]) * _e1448))), array<f32, 3>((_e3119[0] + ((_e3125[0] - _e3119[0]) * _e1448)), (_e3119[1] + ((_e3125[1] - _e3119[1]) * _e1448)), (_e3119[2] + ((_e3125[2] - _e3119[2]) * _e1448))), array<f32, 3>((_e3141[0] + ((_e3147[0] - _e3141[0]) * _e1448)), (_e3141[1] + ((_e3147[1] - _e3141[1]) * _e1448)), (_e3141[2] + ((_e3147[2] - _e3141[2]) * _e1448))), _e226.member);
+                                    let _e3175 = ((select(_e3161[0], -(_e3161[0]), (_e3161[0] < 0f)) + select(_e3161[1], -(_e3161[1]), (_e3161[1] < 0f))) + select(_e3161[2], -(_e3161[2]), (_e3161[2] < 0f)));
+                                    let _e3178 = local_5.member[0u];
+                                    let _e3184 = local_5.member_1[0u];
+                                    let _e3190 = local_5.member_2[0u];
+                                    let _e3194 = (_e3178[0] - _e3184[0]);
+                                    let _e3195 = (_e3178[1] - _e3184[1]);
+                                    let _e3196 = (_e3178[2] - _e3184[2]);
+                                    let _e3197 = (_e226.member == 0u);
+                                    let _e3209 = local_5.member[1u];
+                                    let _e3215 = local_5.member_1[1u];
+                                    let _e3221 = local_5.member_2[1u];
+                                    let _e3225 = (_e3209[0] - _e3215[0]);
+                                    let _e3226 = (_e3209[1] - _e3215[1]);
+                                    let _e3227 = (_e3209[2] - _e3215[2]);
+                                    let _e3228 = (_e226.member == 0u);
+                                    let _e3240 = local_5.member[0u];
+                                    let _e3246 = select(_e3240[0], -(_e3240[0]), (_e3240[0] < 0f));
+                                    let _e3249 = select(_e3240[1], -(_e3240[1]), (_e3240[1] < 0f));
+                                    let _e3251 = select(_e3249, _e3246, (_e3246 > _e3249));
+                                    let _e3254 = select(_e3240[2], -(_e3240[2]), (_e3240[2] < 0f));
+                                    let _e3256 = select(_e3254, _e3251, (_e3251 > _e3254));
+                                    let _e3259 = local_5.member[1u];
+                                    let _e3265 = select(_e3259[0], -(_e3259[0]), (_e3259[0] < 0f));
+                                    let _e3268 = select(_e3259[1], -(_e3259[1]), (_e3259[1] < 0f));
+                                    let _e3270 = select(_e3268, _e3265, (_e3265 > _e3268));
+                                    let _e3273 = select(_e3259[2], -(_e3259[2]), (_e3259[2] < 0f));
+                                    let _e3275 = select(_e3273, _e3270, (_e3270 > _e3273));
+                                    let _e3279 = local_5.member_3;
+                                    let _e3283 = local_5.member_1[0u];
+                                    let _e3289 = select(_e3283[0], -(_e3283[0]), (_e3283[0] < 0f));
+                                    let _e3292 = select(_e3283[1], -(_e3283[1]), (_e3283[1] < 0f));
+                                    let _e3294 = select(_e3292, _e3289, (_e3289 > _e3292));
+                                    let _e3297 = select(_e3283[2], -(_e3283[2]), (_e3283[2] < 0f));
+                                    let _e3299 = select(_e3297, _e3294, (_e3294 > _e3297));
+                                    let _e3302 = local_5.member_1[1u];
+                                    let _e3308 = select(_e3302[0], -(_e3302[0]), (_e3302[0] < 0f));
+                                    let _e3311 = select(_e3302[1], -(_e3302[1]), (_e3302[1] < 0f));
+                                    let _e3313 = select(_e3311, _e3308, (_e3308 > _e3311));
+                                    let _e3316 = select(_e3302[2], -(_e3302[2]), (_e3302[2] < 0f));
+                                    let _e3318 = select(_e3316, _e3313, (_e3313 > _e3316));
+                                    let _e3322 = local_5.member_3;
+                                    let _e3326 = local_5.member_2[0u];
+                                    let _e3332 = select(_e3326[0], -(_e3326[0]), (_e3326[0] < 0f));
+                                    let _e3335 = select(_e3326[1], -(_e3326[1]), (_e3326[1] < 0f));
+                                    let _e3337 = select(_e3335, _e3332, (_e3332 > _e3335));
+                                    let _e3340 = select(_e3326[2], -(_e3326[2]), (_e3326[2] < 0f));
+                                    let _e3342 = select(_e3340, _e3337, (_e3337 > _e3340));
+                                    let _e3345 = local_5.member_2[1u];
+                                    let _e3351 = select(_e3345[0], -(_e3345[0]), (_e3345[0] < 0f));
+                                    let _e3354 = select(_e3345[1], -(_e3345[1]), (_e3345[1] < 0f));
+                                    let _e3356 = select(_e3354, _e3351, (_e3351 > _e3354));
+                                    let _e3359 = select(_e3345[2], -(_e3345[2]), (_e3345[2] < 0f));
+                                    let _e3361 = select(_e3359, _e3356, (_e3356 > _e3359));
+                                    let _e3365 = local_5.member_3;
+                                    let _e3372 = local_5.member_3;
+                                    local_1 = type_30(array<array<array<f32, 3>, 4>, 2>(array<array<f32, 3>, 4>(_e3178, array<f32, 3>(_e3194, _e3195, _e3196), array<f32, 3>((_e3178[0] - _e3190[0]), (_e3178[1] - _e3190[1]), (_e3178[2] - _e3190[2])), array<f32, 3>(select((_e3194 - _e3190[0]), _e3178[0], _e3197), select((_e3195 - _e3190[1]), _e3178[1], _e3197), select((_e3196 - _e3190[2]), _e3178[2], _e3197))), array<array<f32, 3>, 4>(_e3209, array<f32, 3>(_e3225, _e3226, _e3227), array<f32, 3>((_e3209[0] - _e3221[0]), (_e3209[1] - _e3221[1]), (_e3209[2] - _e3221[2])), array<f32, 3>(select((_e3225 - _e3221[0]), _e3209[0], _e3228), select((_e3226 - _e3221[1]), _e3209[1], _e3228), select((_e3227 - _e3221[2]), _e3209[2], _e3228)))), ((((((select(_e3275, _e3256, (_e3256 > _e3275)) + _e3279) + (select(_e3318, _e3299, (_e3299 > _e3318)) + _e3322)) + (select(_e3361, _e3342, (_e3342 > _e3361)) + _e3365)) * (0.000000059604645f * 16f)) + (_e3372 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)), _e734.member_1);
+                                    let _e3388 = local_1.member_1;
+                                    if (_e3175 > _e3388) {
+                                        if ((bitcast<u32>(_e3175) & 2139095040u) != 2139095040u) {
+                                            let _e3393 = (1f / _e3175);
+                                            let _e3395 = (_e3161[0] * _e3393);
+                                            let _e3397 = (_e3161[1] * _e3393);
+                                            let _e3399 = (_e3161[2] * _e3393);
+                                            let _e3404 = (((_e3395 * _e3395) + (_e3397 * _e3397)) + (_e3399 * _e3399));
+                                            if (_e3404 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_5764_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3404 > 0f));
                                             } else {
-                                                phi_5706_ = type_14(0i, 5i);
-                                                phi_5709_ = bitcast<f32>(((bitcast<u32>(_e3403) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_5707_ = type_14(0i, 5i);
+                                                phi_5710_ = bitcast<f32>(((bitcast<u32>(_e3404) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e3411 = phi_5706_;
-                                                    let _e3413 = phi_5709_;
-                                                    local_25 = _e3413;
-                                                    if (_e3411.member < _e3411.member_1) {
-                                                        let _e3420 = (_e3411.member + 1i);
-                                                        phi_5707_ = type_14(select(_e3420, type_15().member_1, select(false, true, ((false == (_e3420 > _e3411.member)) != false))), _e3411.member_1);
-                                                        phi_5750_ = type_15(1u, _e3411.member);
+                                                    let _e3412 = phi_5707_;
+                                                    let _e3414 = phi_5710_;
+                                                    local_25 = _e3414;
+                                                    if (_e3412.member < _e3412.member_1) {
+                                                        let _e3421 = (_e3412.member + 1i);
+                                                        phi_5708_ = type_14(select(_e3421, type_15().member_1, select(false, true, ((false == (_e3421 > _e3412.member)) != false))), _e3412.member_1);
+                                                        phi_5751_ = type_15(1u, _e3412.member);
                                                     } else {
-                                                        phi_5707_ = _e3411;
-                                                        phi_5750_ = type_15(0u, type_15().member_1);
+                                                        phi_5708_ = _e3412;
+                                                        phi_5751_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e3431 = phi_5707_;
-                                                    let _e3433 = phi_5750_;
-                                                    let _e3436 = (bitcast<i32>(_e3433.member) != 0i);
-                                                    if _e3436 {
-                                                        phi_5710_ = (0.5f * (_e3413 + (_e3403 / _e3413)));
+                                                    let _e3432 = phi_5708_;
+                                                    let _e3434 = phi_5751_;
+                                                    let _e3437 = (bitcast<i32>(_e3434.member) != 0i);
+                                                    if _e3437 {
+                                                        phi_5711_ = (0.5f * (_e3414 + (_e3404 / _e3414)));
                                                     } else {
-                                                        phi_5710_ = f32();
+                                                        phi_5711_ = f32();
                                                     }
-                                                    let _e3441 = phi_5710_;
+                                                    let _e3442 = phi_5711_;
                                                     continue;
                                                     continuing {
-                                                        phi_5706_ = _e3431;
-                                                        phi_5709_ = _e3441;
-                                                        break if !(_e3436);
+                                                        phi_5707_ = _e3432;
+                                                        phi_5710_ = _e3442;
+                                                        break if !(_e3437);
                                                     }
                                                 }
-                                                let _e3446 = local_25;
-                                                phi_5763_ = (_e3446 * (1f + (8f * 0.000000059604645f)));
+                                                let _e3447 = local_25;
+                                                phi_5764_ = (_e3447 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e3452 = phi_5763_;
-                                            let _e3453 = (0.000000059604645f * 12f);
-                                            let _e3455 = local_1.member_1;
-                                            let _e3458 = local_1.member_2;
-                                            let _e3462 = ((_e3455 * 1.01f) + ((_e3458 * _e3452) * (1f + _e3453)));
-                                            let _e3466 = local_1.member[0u][0u];
-                                            let _e3474 = (((_e3394 * _e3466[0]) + (_e3396 * _e3466[1])) + (_e3398 * _e3466[2]));
-                                            let _e3478 = local_1.member[0u][1u];
-                                            let _e3486 = (((_e3394 * _e3478[0]) + (_e3396 * _e3478[1])) + (_e3398 * _e3478[2]));
-                                            let _e3490 = local_1.member[0u][2u];
-                                            let _e3498 = (((_e3394 * _e3490[0]) + (_e3396 * _e3490[1])) + (_e3398 * _e3490[2]));
-                                            let _e3502 = local_1.member[0u][3u];
-                                            let _e3510 = (((_e3394 * _e3502[0]) + (_e3396 * _e3502[1])) + (_e3398 * _e3502[2]));
-                                            let _e3514 = local_1.member[1u][0u];
-                                            let _e3522 = (((_e3394 * _e3514[0]) + (_e3396 * _e3514[1])) + (_e3398 * _e3514[2]));
-                                            let _e3526 = local_1.member[1u][1u];
-                                            let _e3534 = (((_e3394 * _e3526[0]) + (_e3396 * _e3526[1])) + (_e3398 * _e3526[2]));
-                                            let _e3538 = local_1.member[1u][2u];
-                                            let _e3546 = (((_e3394 * _e3538[0]) + (_e3396 * _e3538[1])) + (_e3398 * _e3538[2]));
-                                            let _e3550 = local_1.member[1u][3u];
-                                            let _e3558 = (((_e3394 * _e3550[0]) + (_e3396 * _e3550[1])) + (_e3398 * _e3550[2]));
-                                            local_2 = type_31(array<f32, 4>(_e3474, _e3486, _e3498, _e3510), array<f32, 4>(_e3522, _e3534, _e3546, _e3558), array<f32, 4>((_e3462 + ((select(_e3474, -(_e3474), (_e3474 < 0f)) + select(_e3522, -(_e3522), (_e3522 < 0f))) * _e3453)), (_e3462 + ((select(_e3486, -(_e3486), (_e3486 < 0f)) + select(_e3534, -(_e3534), (_e3534 < 0f))) * _e3453)), (_e3462 + ((select(_e3498, -(_e3498), (_e3498 < 0f)) + select(_e3546, -(_e3546), (_e3546 < 0f))) * _e3453)), (_e3462 + ((select(_e3510, -(_e3510), (_e3510 < 0f)) + select(_e3558, -(_e3558), (_e3558 < 0f))) * _e3453))));
-                                            let _e3603 = (((_e3394 * _e3394) + (_e3396 * _e3396)) + (_e3398 * _e3398));
-                                            if (_e3603 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_6055_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3603 > 0f));
+                                            let _e3453 = phi_5764_;
+                                            let _e3454 = (0.000000059604645f * 12f);
+                                            let _e3456 = local_1.member_1;
+                                            let _e3459 = local_1.member_2;
+                                            let _e3463 = ((_e3456 * 1.01f) + ((_e3459 * _e3453) * (1f + _e3454)));
+                                            let _e3467 = local_1.member[0u][0u];
+                                            let _e3475 = (((_e3395 * _e3467[0]) + (_e3397 * _e3467[1])) + (_e3399 * _e3467[2]));
+                                            let _e3479 = local_1.member[0u][1u];
+                                            let _e3487 = (((_e3395 * _e3479[0]) + (_e3397 * _e3479[1])) + (_e3399 * _e3479[2]));
+                                            let _e3491 = local_1.member[0u][2u];
+                                            let _e3499 = (((_e3395 * _e3491[0]) + (_e3397 * _e3491[1])) + (_e3399 * _e3491[2]));
+                                            let _e3503 = local_1.member[0u][3u];
+                                            let _e3511 = (((_e3395 * _e3503[0]) + (_e3397 * _e3503[1])) + (_e3399 * _e3503[2]));
+                                            let _e3515 = local_1.member[1u][0u];
+                                            let _e3523 = (((_e3395 * _e3515[0]) + (_e3397 * _e3515[1])) + (_e3399 * _e3515[2]));
+                                            let _e3527 = local_1.member[1u][1u];
+                                            let _e3535 = (((_e3395 * _e3527[0]) + (_e3397 * _e3527[1])) + (_e3399 * _e3527[2]));
+                                            let _e3539 = local_1.member[1u][2u];
+                                            let _e3547 = (((_e3395 * _e3539[0]) + (_e3397 * _e3539[1])) + (_e3399 * _e3539[2]));
+                                            let _e3551 = local_1.member[1u][3u];
+                                            let _e3559 = (((_e3395 * _e3551[0]) + (_e3397 * _e3551[1])) + (_e3399 * _e3551[2]));
+                                            local_2 = type_31(array<f32, 4>(_e3475, _e3487, _e3499, _e3511), array<f32, 4>(_e3523, _e3535, _e3547, _e3559), array<f32, 4>((_e3463 + ((select(_e3475, -(_e3475), (_e3475 < 0f)) + select(_e3523, -(_e3523), (_e3523 < 0f))) * _e3454)), (_e3463 + ((select(_e3487, -(_e3487), (_e3487 < 0f)) + select(_e3535, -(_e3535), (_e3535 < 0f))) * _e3454)), (_e3463 + ((select(_e3499, -(_e3499), (_e3499 < 0f)) + select(_e3547, -(_e3547), (_e3547 < 0f))) * _e3454)), (_e3463 + ((select(_e3511, -(_e3511), (_e3511 < 0f)) + select(_e3559, -(_e3559), (_e3559 < 0f))) * _e3454))));
+                                            let _e3604 = (((_e3395 * _e3395) + (_e3397 * _e3397)) + (_e3399 * _e3399));
+                                            if (_e3604 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_6056_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3604 > 0f));
                                             } else {
-                                                phi_5998_ = type_14(0i, 5i);
-                                                phi_6001_ = bitcast<f32>(((bitcast<u32>(_e3603) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_5999_ = type_14(0i, 5i);
+                                                phi_6002_ = bitcast<f32>(((bitcast<u32>(_e3604) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e3611 = phi_5998_;
-                                                    let _e3613 = phi_6001_;
-                                                    local_26 = _e3613;
-                                                    if (_e3611.member < _e3611.member_1) {
-                                                        let _e3620 = (_e3611.member + 1i);
-                                                        phi_5999_ = type_14(select(_e3620, type_15().member_1, select(false, true, ((false == (_e3620 > _e3611.member)) != false))), _e3611.member_1);
-                                                        phi_6042_ = type_15(1u, _e3611.member);
+                                                    let _e3612 = phi_5999_;
+                                                    let _e3614 = phi_6002_;
+                                                    local_26 = _e3614;
+                                                    if (_e3612.member < _e3612.member_1) {
+                                                        let _e3621 = (_e3612.member + 1i);
+                                                        phi_6000_ = type_14(select(_e3621, type_15().member_1, select(false, true, ((false == (_e3621 > _e3612.member)) != false))), _e3612.member_1);
+                                                        phi_6043_ = type_15(1u, _e3612.member);
                                                     } else {
-                                                        phi_5999_ = _e3611;
-                                                        phi_6042_ = type_15(0u, type_15().member_1);
+                                                        phi_6000_ = _e3612;
+                                                        phi_6043_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e3631 = phi_5999_;
-                                                    let _e3633 = phi_6042_;
-                                                    let _e3636 = (bitcast<i32>(_e3633.member) != 0i);
-                                                    if _e3636 {
-                                                        phi_6002_ = (0.5f * (_e3613 + (_e3603 / _e3613)));
+                                                    let _e3632 = phi_6000_;
+                                                    let _e3634 = phi_6043_;
+                                                    let _e3637 = (bitcast<i32>(_e3634.member) != 0i);
+                                                    if _e3637 {
+                                                        phi_6003_ = (0.5f * (_e3614 + (_e3604 / _e3614)));
                                                     } else {
-                                                        phi_6002_ = f32();
+                                                        phi_6003_ = f32();
                                                     }
-                                                    let _e3641 = phi_6002_;
+                                                    let _e3642 = phi_6003_;
                                                     continue;
                                                     continuing {
-                                                        phi_5998_ = _e3631;
-                                                        phi_6001_ = _e3641;
-                                                        break if !(_e3636);
+                                                        phi_5999_ = _e3632;
+                                                        phi_6002_ = _e3642;
+                                                        break if !(_e3637);
                                                     }
                                                 }
-                                                let _e3646 = local_26;
-                                                phi_6055_ = (_e3646 * (1f + (8f * 0.000000059604645f)));
+                                                let _e3647 = local_26;
+                                                phi_6056_ = (_e3647 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e3652 = phi_6055_;
-                                            let _e3663 = (((_e3160[0] * _e3160[0]) + (_e3160[1] * _e3160[1])) + (_e3160[2] * _e3160[2]));
-                                            if (_e3663 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_6144_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3663 > 0f));
+                                            let _e3653 = phi_6056_;
+                                            let _e3664 = (((_e3161[0] * _e3161[0]) + (_e3161[1] * _e3161[1])) + (_e3161[2] * _e3161[2]));
+                                            if (_e3664 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_6145_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3664 > 0f));
                                             } else {
-                                                phi_6087_ = type_14(0i, 5i);
-                                                phi_6090_ = bitcast<f32>(((bitcast<u32>(_e3663) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_6088_ = type_14(0i, 5i);
+                                                phi_6091_ = bitcast<f32>(((bitcast<u32>(_e3664) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e3671 = phi_6087_;
-                                                    let _e3673 = phi_6090_;
-                                                    local_27 = _e3673;
-                                                    if (_e3671.member < _e3671.member_1) {
-                                                        let _e3680 = (_e3671.member + 1i);
-                                                        phi_6088_ = type_14(select(_e3680, type_15().member_1, select(false, true, ((false == (_e3680 > _e3671.member)) != false))), _e3671.member_1);
-                                                        phi_6131_ = type_15(1u, _e3671.member);
+                                                    let _e3672 = phi_6088_;
+                                                    let _e3674 = phi_6091_;
+                                                    local_27 = _e3674;
+                                                    if (_e3672.member < _e3672.member_1) {
+                                                        let _e3681 = (_e3672.member + 1i);
+                                                        phi_6089_ = type_14(select(_e3681, type_15().member_1, select(false, true, ((false == (_e3681 > _e3672.member)) != false))), _e3672.member_1);
+                                                        phi_6132_ = type_15(1u, _e3672.member);
                                                     } else {
-                                                        phi_6088_ = _e3671;
-                                                        phi_6131_ = type_15(0u, type_15().member_1);
+                                                        phi_6089_ = _e3672;
+                                                        phi_6132_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e3691 = phi_6088_;
-                                                    let _e3693 = phi_6131_;
-                                                    let _e3696 = (bitcast<i32>(_e3693.member) != 0i);
-                                                    if _e3696 {
-                                                        phi_6091_ = (0.5f * (_e3673 + (_e3663 / _e3673)));
+                                                    let _e3692 = phi_6089_;
+                                                    let _e3694 = phi_6132_;
+                                                    let _e3697 = (bitcast<i32>(_e3694.member) != 0i);
+                                                    if _e3697 {
+                                                        phi_6092_ = (0.5f * (_e3674 + (_e3664 / _e3674)));
                                                     } else {
-                                                        phi_6091_ = f32();
+                                                        phi_6092_ = f32();
                                                     }
-                                                    let _e3701 = phi_6091_;
+                                                    let _e3702 = phi_6092_;
                                                     continue;
                                                     continuing {
-                                                        phi_6087_ = _e3691;
-                                                        phi_6090_ = _e3701;
-                                                        break if !(_e3696);
+                                                        phi_6088_ = _e3692;
+                                                        phi_6091_ = _e3702;
+                                                        break if !(_e3697);
                                                     }
                                                 }
-                                                let _e3706 = local_27;
-                                                phi_6144_ = (_e3706 * (1f + (8f * 0.000000059604645f)));
+                                                let _e3707 = local_27;
+                                                phi_6145_ = (_e3707 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e3712 = phi_6144_;
-                                            let _e3718 = local_5.member[0u];
-                                            let _e3724 = select(_e3718[0], -(_e3718[0]), (_e3718[0] < 0f));
-                                            let _e3727 = select(_e3718[1], -(_e3718[1]), (_e3718[1] < 0f));
-                                            let _e3729 = select(_e3727, _e3724, (_e3724 > _e3727));
-                                            let _e3732 = select(_e3718[2], -(_e3718[2]), (_e3718[2] < 0f));
-                                            let _e3734 = select(_e3732, _e3729, (_e3729 > _e3732));
-                                            let _e3737 = local_5.member[1u];
-                                            let _e3743 = select(_e3737[0], -(_e3737[0]), (_e3737[0] < 0f));
-                                            let _e3746 = select(_e3737[1], -(_e3737[1]), (_e3737[1] < 0f));
-                                            let _e3748 = select(_e3746, _e3743, (_e3743 > _e3746));
-                                            let _e3751 = select(_e3737[2], -(_e3737[2]), (_e3737[2] < 0f));
-                                            let _e3753 = select(_e3751, _e3748, (_e3748 > _e3751));
-                                            let _e3757 = local_5.member_3;
-                                            let _e3761 = local_5.member_1[0u];
-                                            let _e3767 = select(_e3761[0], -(_e3761[0]), (_e3761[0] < 0f));
-                                            let _e3770 = select(_e3761[1], -(_e3761[1]), (_e3761[1] < 0f));
-                                            let _e3772 = select(_e3770, _e3767, (_e3767 > _e3770));
-                                            let _e3775 = select(_e3761[2], -(_e3761[2]), (_e3761[2] < 0f));
-                                            let _e3777 = select(_e3775, _e3772, (_e3772 > _e3775));
-                                            let _e3780 = local_5.member_1[1u];
-                                            let _e3786 = select(_e3780[0], -(_e3780[0]), (_e3780[0] < 0f));
-                                            let _e3789 = select(_e3780[1], -(_e3780[1]), (_e3780[1] < 0f));
-                                            let _e3791 = select(_e3789, _e3786, (_e3786 > _e3789));
-                                            let _e3794 = select(_e3780[2], -(_e3780[2]), (_e3780[2] < 0f));
-                                            let _e3796 = select(_e3794, _e3791, (_e3791 > _e3794));
-                                            let _e3800 = local_5.member_3;
-                                            let _e3804 = local_5.member_2[0u];
-                                            let _e3810 = select(_e3804[0], -(_e3804[0]), (_e3804[0] < 0f));
-                                            let _e3813 = select(_e3804[1], -(_e3804[1]), (_e3804[1] < 0f));
-                                            let _e3815 = select(_e3813, _e3810, (_e3810 > _e3813));
-                                            let _e3818 = select(_e3804[2], -(_e3804[2]), (_e3804[2] < 0f));
-                                            let _e3820 = select(_e3818, _e3815, (_e3815 > _e3818));
-                                            let _e3823 = local_5.member_2[1u];
-                                            let _e3829 = select(_e3823[0], -(_e3823[0]), (_e3823[0] < 0f));
-                                            let _e3832 = select(_e3823[1], -(_e3823[1]), (_e3823[1] < 0f));
-                                            let _e3834 = select(_e3832, _e3829, (_e3829 > _e3832));
-                                            let _e3837 = select(_e3823[2], -(_e3823[2]), (_e3823[2] < 0f));
-                                            let _e3839 = select(_e3837, _e3834, (_e3834 > _e3837));
-                                            let _e3843 = local_5.member_3;
-                                            let _e3850 = local_5.member_3;
-                                            let _e3860 = ((((_e3712 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e3753, _e3734, (_e3734 > _e3753)) + _e3757) + (select(_e3796, _e3777, (_e3777 > _e3796)) + _e3800)) + (select(_e3839, _e3820, (_e3820 > _e3839)) + _e3843)) * (0.000000059604645f * 16f)) + (_e3850 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) * _e3652) * (1f + (0.000000059604645f * 64f)));
-                                            let _e3863 = local_2.member[0u];
-                                            let _e3866 = local_2.member_1[0u];
-                                            phi_6452_ = type_9(1u, 4u);
-                                            phi_6455_ = ((_e3863 + ((_e3866 - _e3863) * _e1447)) - ((_e3387 * 1.01f) + ((select(_e3863, -(_e3863), (_e3863 < 0f)) + select(_e3866, -(_e3866), (_e3866 < 0f))) * (0.000000059604645f * 12f))));
+                                            let _e3713 = phi_6145_;
+                                            let _e3719 = local_5.member[0u];
+                                            let _e3725 = select(_e3719[0], -(_e3719[0]), (_e3719[0] < 0f));
+                                            let _e3728 = select(_e3719[1], -(_e3719[1]), (_e3719[1] < 0f));
+                                            let _e3730 = select(_e3728, _e3725, (_e3725 > _e3728));
+                                            let _e3733 = select(_e3719[2], -(_e3719[2]), (_e3719[2] < 0f));
+                                            let _e3735 = select(_e3733, _e3730, (_e3730 > _e3733));
+                                            let _e3738 = local_5.member[1u];
+                                            let _e3744 = select(_e3738[0], -(_e3738[0]), (_e3738[0] < 0f));
+                                            let _e3747 = select(_e3738[1], -(_e3738[1]), (_e3738[1] < 0f));
+                                            let _e3749 = select(_e3747, _e3744, (_e3744 > _e3747));
+                                            let _e3752 = select(_e3738[2], -(_e3738[2]), (_e3738[2] < 0f));
+                                            let _e3754 = select(_e3752, _e3749, (_e3749 > _e3752));
+                                            let _e3758 = local_5.member_3;
+                                            let _e3762 = local_5.member_1[0u];
+                                            let _e3768 = select(_e3762[0], -(_e3762[0]), (_e3762[0] < 0f));
+                                            let _e3771 = select(_e3762[1], -(_e3762[1]), (_e3762[1] < 0f));
+                                            let _e3773 = select(_e3771, _e3768, (_e3768 > _e3771));
+                                            let _e3776 = select(_e3762[2], -(_e3762[2]), (_e3762[2] < 0f));
+                                            let _e3778 = select(_e3776, _e3773, (_e3773 > _e3776));
+                                            let _e3781 = local_5.member_1[1u];
+                                            let _e3787 = select(_e3781[0], -(_e3781[0]), (_e3781[0] < 0f));
+                                            let _e3790 = select(_e3781[1], -(_e3781[1]), (_e3781[1] < 0f));
+                                            let _e3792 = select(_e3790, _e3787, (_e3787 > _e3790));
+                                            let _e3795 = select(_e3781[2], -(_e3781[2]), (_e3781[2] < 0f));
+                                            let _e3797 = select(_e3795, _e3792, (_e3792 > _e3795));
+                                            let _e3801 = local_5.member_3;
+                                            let _e3805 = local_5.member_2[0u];
+                                            let _e3811 = select(_e3805[0], -(_e3805[0]), (_e3805[0] < 0f));
+                                            let _e3814 = select(_e3805[1], -(_e3805[1]), (_e3805[1] < 0f));
+                                            let _e3816 = select(_e3814, _e3811, (_e3811 > _e3814));
+                                            let _e3819 = select(_e3805[2], -(_e3805[2]), (_e3805[2] < 0f));
+                                            let _e3821 = select(_e3819, _e3816, (_e3816 > _e3819));
+                                            let _e3824 = local_5.member_2[1u];
+                                            let _e3830 = select(_e3824[0], -(_e3824[0]), (_e3824[0] < 0f));
+                                            let _e3833 = select(_e3824[1], -(_e3824[1]), (_e3824[1] < 0f));
+                                            let _e3835 = select(_e3833, _e3830, (_e3830 > _e3833));
+                                            let _e3838 = select(_e3824[2], -(_e3824[2]), (_e3824[2] < 0f));
+                                            let _e3840 = select(_e3838, _e3835, (_e3835 > _e3838));
+                                            let _e3844 = local_5.member_3;
+                                            let _e3851 = local_5.member_3;
+                                            let _e3861 = ((((_e3713 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e3754, _e3735, (_e3735 > _e3754)) + _e3758) + (select(_e3797, _e3778, (_e3778 > _e3797)) + _e3801)) + (select(_e3840, _e3821, (_e3821 > _e3840)) + _e3844)) * (0.000000059604645f * 16f)) + (_e3851 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) * _e3653) * (1f + (0.000000059604645f * 64f)));
+                                            let _e3864 = local_2.member[0u];
+                                            let _e3867 = local_2.member_1[0u];
+                                            phi_6453_ = type_9(1u, 4u);
+                                            phi_6456_ = ((_e3864 + ((_e3867 - _e3864) * _e1448)) - ((_e3388 * 1.01f) + ((select(_e3864, -(_e3864), (_e3864 < 0f)) + select(_e3867, -(_e3867), (_e3867 < 0f))) * (0.000000059604645f * 12f))));
                                             loop {
-                                                let _e3883 = phi_6452_;
-                                                let _e3885 = phi_6455_;
-                                                local_28 = _e3885;
-                                                local_29 = _e3885;
-                                                let _e3888 = (_e3883.member < _e3883.member_1);
-                                                let _e3899 = select(type_9().member_1, _e3883.member, _e3888);
-                                                let _e3901 = (bitcast<i32>(select(0u, 1u, _e3888)) != 0i);
-                                                if _e3901 {
-                                                    let _e3904 = local_2.member[_e3899];
-                                                    let _e3907 = local_2.member_1[_e3899];
-                                                    let _e3922 = ((_e3904 + ((_e3907 - _e3904) * _e1447)) - ((_e3387 * 1.01f) + ((select(_e3904, -(_e3904), (_e3904 < 0f)) + select(_e3907, -(_e3907), (_e3907 < 0f))) * (0.000000059604645f * 12f))));
-                                                    phi_6456_ = select(_e3922, _e3885, (_e3885 < _e3922));
+                                                let _e3884 = phi_6453_;
+                                                let _e3886 = phi_6456_;
+                                                local_28 = _e3886;
+                                                local_29 = _e3886;
+                                                let _e3889 = (_e3884.member < _e3884.member_1);
+                                                let _e3900 = select(type_9().member_1, _e3884.member, _e3889);
+                                                let _e3902 = (bitcast<i32>(select(0u, 1u, _e3889)) != 0i);
+                                                if _e3902 {
+                                                    let _e3905 = local_2.member[_e3900];
+                                                    let _e3908 = local_2.member_1[_e3900];
+                                                    let _e3923 = ((_e3905 + ((_e3908 - _e3905) * _e1448)) - ((_e3388 * 1.01f) + ((select(_e3905, -(_e3905), (_e3905 < 0f)) + select(_e3908, -(_e3908), (_e3908 < 0f))) * (0.000000059604645f * 12f))));
+                                                    phi_6457_ = select(_e3923, _e3886, (_e3886 < _e3923));
                                                 } else {
-                                                    phi_6456_ = f32();
+                                                    phi_6457_ = f32();
                                                 }
-                                                let _e3926 = phi_6456_;
+                                                let _e3927 = phi_6457_;
                                                 continue;
                                                 continuing {
-                                                    phi_6452_ = type_9(select(_e3883.member, (_e3883.member + 1u), _e3888), select(_e3883.member_1, _e3883.member_1, _e3888));
-                                                    phi_6455_ = _e3926;
-                                                    break if !(_e3901);
+                                                    phi_6453_ = type_9(select(_e3884.member, (_e3884.member + 1u), _e3889), select(_e3884.member_1, _e3884.member_1, _e3889));
+                                                    phi_6456_ = _e3927;
+                                                    break if !(_e3902);
                                                 }
                                             }
-                                            let _e3929 = local_28;
-                                            if (_e3929 > 0f) {
-                                                let _e3933 = local_29;
-                                                let _e3936 = (((_e3860 - _e3933) / _e3860) * 2.02f);
-                                                if (_e3936 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_6611_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3936 > 0f));
+                                            let _e3930 = local_28;
+                                            if (_e3930 > 0f) {
+                                                let _e3934 = local_29;
+                                                let _e3937 = (((_e3861 - _e3934) / _e3861) * 2.02f);
+                                                if (_e3937 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_6612_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3937 > 0f));
                                                 } else {
-                                                    phi_6554_ = type_14(0i, 5i);
-                                                    phi_6557_ = bitcast<f32>(((bitcast<u32>(_e3936) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_6555_ = type_14(0i, 5i);
+                                                    phi_6558_ = bitcast<f32>(((bitcast<u32>(_e3937) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e3944 = phi_6554_;
-                                                        let _e3946 = phi_6557_;
-                                                        local_30 = _e3946;
-                                                        if (_e3944.member < _e3944.member_1) {
-                                                            let _e3953 = (_e3944.member + 1i);
-                                                            phi_6555_ = type_14(select(_e3953, type_15().member_1, select(false, true, ((false == (_e3953 > _e3944.member)) != false))), _e3944.member_1);
-                                                            phi_6598_ = type_15(1u, _e3944.member);
+                                                        let _e3945 = phi_6555_;
+                                                        let _e3947 = phi_6558_;
+                                                        local_30 = _e3947;
+                                                        if (_e3945.member < _e3945.member_1) {
+                                                            let _e3954 = (_e3945.member + 1i);
+                                                            phi_6556_ = type_14(select(_e3954, type_15().member_1, select(false, true, ((false == (_e3954 > _e3945.member)) != false))), _e3945.member_1);
+                                                            phi_6599_ = type_15(1u, _e3945.member);
                                                         } else {
-                                                            phi_6555_ = _e3944;
-                                                            phi_6598_ = type_15(0u, type_15().member_1);
+                                                            phi_6556_ = _e3945;
+                                                            phi_6599_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e3964 = phi_6555_;
-                                                        let _e3966 = phi_6598_;
-                                                        let _e3969 = (bitcast<i32>(_e3966.member) != 0i);
-                                                        if _e3969 {
-                                                            phi_6558_ = (0.5f * (_e3946 + (_e3936 / _e3946)));
+                                                        let _e3965 = phi_6556_;
+                                                        let _e3967 = phi_6599_;
+                                                        let _e3970 = (bitcast<i32>(_e3967.member) != 0i);
+                                                        if _e3970 {
+                                                            phi_6559_ = (0.5f * (_e3947 + (_e3937 / _e3947)));
                                                         } else {
-                                                            phi_6558_ = f32();
+                                                            phi_6559_ = f32();
                                                         }
-                                                        let _e3974 = phi_6558_;
+                                                        let _e3975 = phi_6559_;
                                                         continue;
                                                         continuing {
-                                                            phi_6554_ = _e3964;
-                                                            phi_6557_ = _e3974;
-                                                            break if !(_e3969);
+                                                            phi_6555_ = _e3965;
+                                                            phi_6558_ = _e3975;
+                                                            break if !(_e3970);
                                                         }
                                                     }
-                                                    let _e3979 = local_30;
-                                                    phi_6611_ = (_e3979 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e3980 = local_30;
+                                                    phi_6612_ = (_e3980 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e3985 = phi_6611_;
-                                                let _e3987 = ((_e3985 * _e3652) * 1.01f);
-                                                phi_6616_ = type_9(0u, 4u);
-                                                phi_6619_ = 2f;
-                                                phi_6621_ = true;
-                                                phi_6623_ = true;
+                                                let _e3986 = phi_6612_;
+                                                let _e3988 = ((_e3986 * _e3653) * 1.01f);
+                                                phi_6617_ = type_9(0u, 4u);
+                                                phi_6620_ = 2f;
+                                                phi_6622_ = true;
+                                                phi_6624_ = true;
                                                 loop {
-                                                    let _e3989 = phi_6616_;
-                                                    let _e3991 = phi_6619_;
-                                                    let _e3993 = phi_6621_;
-                                                    let _e3995 = phi_6623_;
-                                                    local_31 = _e3991;
-                                                    local_32 = _e3991;
-                                                    local_33 = _e3993;
-                                                    local_34 = _e3995;
-                                                    local_35 = _e3995;
-                                                    local_36 = _e3995;
-                                                    local_61 = _e3995;
-                                                    local_37 = _e3995;
-                                                    let _e3998 = (_e3989.member < _e3989.member_1);
-                                                    let _e4009 = select(type_9().member_1, _e3989.member, _e3998);
-                                                    let _e4011 = (bitcast<i32>(select(0u, 1u, _e3998)) != 0i);
-                                                    if _e4011 {
-                                                        let _e4015 = local_1.member[0u][_e4009];
-                                                        let _e4022 = local_1.member[1u][_e4009];
-                                                        let _e4036 = ((select(_e4015[0], -(_e4015[0]), (_e4015[0] < 0f)) + select(_e4015[1], -(_e4015[1]), (_e4015[1] < 0f))) + select(_e4015[2], -(_e4015[2]), (_e4015[2] < 0f)));
-                                                        let _e4047 = ((select(_e4022[0], -(_e4022[0]), (_e4022[0] < 0f)) + select(_e4022[1], -(_e4022[1]), (_e4022[1] < 0f))) + select(_e4022[2], -(_e4022[2]), (_e4022[2] < 0f)));
-                                                        let _e4053 = (_e4022[0] - _e4015[0]);
-                                                        let _e4054 = (_e4022[1] - _e4015[1]);
-                                                        let _e4055 = (_e4022[2] - _e4015[2]);
-                                                        let _e4072 = local_2.member[_e4009];
-                                                        let _e4075 = local_2.member_1[_e4009];
-                                                        let _e4086 = ((_e3387 * 1.01f) + ((select(_e4072, -(_e4072), (_e4072 < 0f)) + select(_e4075, -(_e4075), (_e4075 < 0f))) * (0.000000059604645f * 12f)));
-                                                        let _e4093 = local_2.member_1[_e4009];
-                                                        let _e4096 = local_2.member[_e4009];
-                                                        let _e4097 = (_e4093 - _e4096);
-                                                        let _e4100 = ((_e4086 + _e4086) + (_e3987 * ((((select(_e4053, -(_e4053), (_e4053 < 0f)) + select(_e4054, -(_e4054), (_e4054 < 0f))) + select(_e4055, -(_e4055), (_e4055 < 0f))) + (_e3387 * 6f)) * 1.01f)));
-                                                        let _e4103 = ((((_e4072 + ((_e4075 - _e4072) * _e1447)) - _e4086) - (_e3987 * ((select(_e4047, _e4036, (_e4036 > _e4047)) + (_e3387 * 3f)) * 1.01f))) - _e3860);
-                                                        let _e4104 = (_e4103 > 0.000000000000000000000000000000000000011754944f);
-                                                        let _e4105 = (_e4097 > _e4100);
-                                                        if _e4105 {
-                                                            phi_6854_ = _e3991;
+                                                    let _e3990 = phi_6617_;
+                                                    let _e3992 = phi_6620_;
+                                                    let _e3994 = phi_6622_;
+                                                    let _e3996 = phi_6624_;
+                                                    local_31 = _e3992;
+                                                    local_32 = _e3992;
+                                                    local_33 = _e3994;
+                                                    local_34 = _e3996;
+                                                    local_35 = _e3996;
+                                                    local_36 = _e3996;
+                                                    local_61 = _e3996;
+                                                    local_37 = _e3996;
+                                                    let _e3999 = (_e3990.member < _e3990.member_1);
+                                                    let _e4010 = select(type_9().member_1, _e3990.member, _e3999);
+                                                    let _e4012 = (bitcast<i32>(select(0u, 1u, _e3999)) != 0i);
+                                                    if _e4012 {
+                                                        let _e4016 = local_1.member[0u][_e4010];
+                                                        let _e4023 = local_1.member[1u][_e4010];
+                                                        let _e4037 = ((select(_e4016[0], -(_e4016[0]), (_e4016[0] < 0f)) + select(_e4016[1], -(_e4016[1]), (_e4016[1] < 0f))) + select(_e4016[2], -(_e4016[2]), (_e4016[2] < 0f)));
+                                                        let _e4048 = ((select(_e4023[0], -(_e4023[0]), (_e4023[0] < 0f)) + select(_e4023[1], -(_e4023[1]), (_e4023[1] < 0f))) + select(_e4023[2], -(_e4023[2]), (_e4023[2] < 0f)));
+                                                        let _e4054 = (_e4023[0] - _e4016[0]);
+                                                        let _e4055 = (_e4023[1] - _e4016[1]);
+                                                        let _e4056 = (_e4023[2] - _e4016[2]);
+                                                        let _e4073 = local_2.member[_e4010];
+                                                        let _e4076 = local_2.member_1[_e4010];
+                                                        let _e4087 = ((_e3388 * 1.01f) + ((select(_e4073, -(_e4073), (_e4073 < 0f)) + select(_e4076, -(_e4076), (_e4076 < 0f))) * (0.000000059604645f * 12f)));
+                                                        let _e4094 = local_2.member_1[_e4010];
+                                                        let _e4097 = local_2.member[_e4010];
+                                                        let _e4098 = (_e4094 - _e4097);
+                                                        let _e4101 = ((_e4087 + _e4087) + (_e3988 * ((((select(_e4054, -(_e4054), (_e4054 < 0f)) + select(_e4055, -(_e4055), (_e4055 < 0f))) + select(_e4056, -(_e4056), (_e4056 < 0f))) + (_e3388 * 6f)) * 1.01f)));
+                                                        let _e4104 = ((((_e4073 + ((_e4076 - _e4073) * _e1448)) - _e4087) - (_e3988 * ((select(_e4048, _e4037, (_e4037 > _e4048)) + (_e3388 * 3f)) * 1.01f))) - _e3861);
+                                                        let _e4105 = (_e4104 > 0.000000000000000000000000000000000000011754944f);
+                                                        let _e4106 = (_e4098 > _e4101);
+                                                        if _e4106 {
+                                                            phi_6855_ = _e3992;
                                                         } else {
-                                                            if _e4104 {
-                                                                let _e4112 = (_e4100 - _e4097);
-                                                                let _e4115 = (_e4103 / select(0.000000000000000000000000000000000000011754944f, _e4112, (_e4112 > 0.000000000000000000000000000000000000011754944f)));
-                                                                phi_6853_ = select(_e4115, _e3991, (_e3991 < _e4115));
+                                                            if _e4105 {
+                                                                let _e4113 = (_e4101 - _e4098);
+                                                                let _e4116 = (_e4104 / select(0.000000000000000000000000000000000000011754944f, _e4113, (_e4113 > 0.000000000000000000000000000000000000011754944f)));
+                                                                phi_6854_ = select(_e4116, _e3992, (_e3992 < _e4116));
                                                             } else {
-                                                                phi_6853_ = _e3991;
+                                                                phi_6854_ = _e3992;
                                                             }
-                                                            let _e4119 = phi_6853_;
-                                                            phi_6854_ = _e4119;
+                                                            let _e4120 = phi_6854_;
+                                                            phi_6855_ = _e4120;
                                                         }
-                                                        let _e4121 = phi_6854_;
-                                                        phi_6620_ = _e4121;
-                                                        phi_6622_ = (_e3993 && select(_e4104, true, (_e4097 < -(_e4100))));
-                                                        phi_6624_ = (_e3995 && select(_e4104, true, _e4105));
+                                                        let _e4122 = phi_6855_;
+                                                        phi_6621_ = _e4122;
+                                                        phi_6623_ = (_e3994 && select(_e4105, true, (_e4098 < -(_e4101))));
+                                                        phi_6625_ = (_e3996 && select(_e4105, true, _e4106));
                                                     } else {
-                                                        phi_6620_ = f32();
-                                                        phi_6622_ = bool();
-                                                        phi_6624_ = bool();
+                                                        phi_6621_ = f32();
+                                                        phi_6623_ = bool();
+                                                        phi_6625_ = bool();
                                                     }
-                                                    let _e4123 = phi_6620_;
-                                                    let _e4125 = phi_6622_;
-                                                    let _e4127 = phi_6624_;
+                                                    let _e4124 = phi_6621_;
+                                                    let _e4126 = phi_6623_;
+                                                    let _e4128 = phi_6625_;
                                                     continue;
                                                     continuing {
-                                                        phi_6616_ = type_9(select(_e3989.member, (_e3989.member + 1u), _e3998), select(_e3989.member_1, _e3989.member_1, _e3998));
-                                                        phi_6619_ = _e4123;
-                                                        phi_6621_ = _e4125;
-                                                        phi_6623_ = _e4127;
-                                                        break if !(_e4011);
+                                                        phi_6617_ = type_9(select(_e3990.member, (_e3990.member + 1u), _e3999), select(_e3990.member_1, _e3990.member_1, _e3999));
+                                                        phi_6620_ = _e4124;
+                                                        phi_6622_ = _e4126;
+                                                        phi_6624_ = _e4128;
+                                                        break if !(_e4012);
                                                     }
                                                 }
-                                                let _e4130 = local_31;
-                                                let _e4133 = local_32;
-                                                let _e4135 = (select(2f, _e4133, (_e4130 < 2f)) * 0.999f);
-                                                let _e4137 = local_33;
-                                                if _e4137 {
-                                                    let _e4140 = local_34;
-                                                    let _e4144 = local_35;
-                                                    let _e4148 = local_36;
-                                                    phi_6869_ = type_36(select(1u, type_36().member, _e4140), select(_e1447, type_36().member_1, _e4144), select(2f, type_36().member_2, _e4148));
-                                                    let _e5287 = local_61;
-                                                    phi_6870_ = _e5287;
+                                                let _e4131 = local_31;
+                                                let _e4134 = local_32;
+                                                let _e4136 = (select(2f, _e4134, (_e4131 < 2f)) * 0.999f);
+                                                let _e4138 = local_33;
+                                                if _e4138 {
+                                                    let _e4141 = local_34;
+                                                    let _e4145 = local_35;
+                                                    let _e4149 = local_36;
+                                                    phi_6870_ = type_36(select(1u, type_36().member, _e4141), select(_e1448, type_36().member_1, _e4145), select(2f, type_36().member_2, _e4149));
+                                                    let _e5289 = local_61;
+                                                    phi_6871_ = _e5289;
                                                 } else {
-                                                    phi_6869_ = type_36();
-                                                    phi_6870_ = true;
+                                                    phi_6870_ = type_36();
+                                                    phi_6871_ = true;
                                                 }
-                                                let _e4152 = phi_6869_;
-                                                let _e4154 = phi_6870_;
-                                                if _e4154 {
-                                                    let _e4156 = local_37;
-                                                    if _e4156 {
-                                                        let _e4160 = (_e1447 + _e4135);
-                                                        let _e4163 = select(_e1447, select(_e382, _e4160, (_e4160 < _e382)), (_e4135 > (0.000000059604645f * 4096f)));
-                                                        phi_6891_ = type_9(0u, 4u);
-                                                        phi_6894_ = _e4163;
-                                                        phi_6896_ = _e1447;
+                                                let _e4153 = phi_6870_;
+                                                let _e4155 = phi_6871_;
+                                                if _e4155 {
+                                                    let _e4157 = local_37;
+                                                    if _e4157 {
+                                                        let _e4161 = (_e1448 + _e4136);
+                                                        let _e4164 = select(_e1448, select(_e383, _e4161, (_e4161 < _e383)), (_e4136 > (0.000000059604645f * 4096f)));
+                                                        phi_6892_ = type_9(0u, 4u);
+                                                        phi_6895_ = _e4164;
+                                                        phi_6897_ = _e1448;
                                                         loop {
-                                                            let _e4165 = phi_6891_;
-                                                            let _e4167 = phi_6894_;
-                                                            let _e4169 = phi_6896_;
-                                                            local_38 = _e4167;
-                                                            local_39 = _e4169;
-                                                            local_40 = _e4169;
-                                                            let _e4172 = (_e4165.member < _e4165.member_1);
-                                                            let _e4183 = select(type_9().member_1, _e4165.member, _e4172);
-                                                            let _e4185 = (bitcast<i32>(select(0u, 1u, _e4172)) != 0i);
-                                                            if _e4185 {
-                                                                let _e4188 = local_2.member[_e4183];
-                                                                let _e4191 = local_2.member_1[_e4183];
-                                                                let _e4194 = local_2.member[_e4183];
-                                                                let _e4200 = local_2.member_2[_e4183];
-                                                                let _e4201 = ((_e4188 + ((_e4191 - _e4194) * _e1447)) - _e4200);
-                                                                let _e4204 = local_2.member_1[_e4183];
-                                                                let _e4207 = local_2.member[_e4183];
-                                                                let _e4208 = (_e4204 - _e4207);
-                                                                if (_e4208 > 0f) {
-                                                                    let _e4221 = (_e1447 - (_e4201 / _e4208));
-                                                                    phi_7005_ = _e4167;
-                                                                    phi_7006_ = select(_e4221, _e4169, (_e4169 > _e4221));
+                                                            let _e4166 = phi_6892_;
+                                                            let _e4168 = phi_6895_;
+                                                            let _e4170 = phi_6897_;
+                                                            local_38 = _e4168;
+                                                            local_39 = _e4170;
+                                                            local_40 = _e4170;
+                                                            let _e4173 = (_e4166.member < _e4166.member_1);
+                                                            let _e4184 = select(type_9().member_1, _e4166.member, _e4173);
+                                                            let _e4186 = (bitcast<i32>(select(0u, 1u, _e4173)) != 0i);
+                                                            if _e4186 {
+                                                                let _e4189 = local_2.member[_e4184];
+                                                                let _e4192 = local_2.member_1[_e4184];
+                                                                let _e4195 = local_2.member[_e4184];
+                                                                let _e4201 = local_2.member_2[_e4184];
+                                                                let _e4202 = ((_e4189 + ((_e4192 - _e4195) * _e1448)) - _e4201);
+                                                                let _e4205 = local_2.member_1[_e4184];
+                                                                let _e4208 = local_2.member[_e4184];
+                                                                let _e4209 = (_e4205 - _e4208);
+                                                                if (_e4209 > 0f) {
+                                                                    let _e4222 = (_e1448 - (_e4202 / _e4209));
+                                                                    phi_7006_ = _e4168;
+                                                                    phi_7007_ = select(_e4222, _e4170, (_e4170 > _e4222));
                                                                 } else {
-                                                                    if (_e4201 > 0f) {
-                                                                        if (_e4208 < 0f) {
-                                                                            let _e4213 = (_e1447 - (_e4201 / _e4208));
-                                                                            phi_7003_ = select(_e4213, _e4167, (_e4167 < _e4213));
+                                                                    if (_e4202 > 0f) {
+                                                                        if (_e4209 < 0f) {
+                                                                            let _e4214 = (_e1448 - (_e4202 / _e4209));
+                                                                            phi_7004_ = select(_e4214, _e4168, (_e4168 < _e4214));
                                                                         } else {
-                                                                            phi_7003_ = _e4167;
+                                                                            phi_7004_ = _e4168;
                                                                         }
-                                                                        let _e4217 = phi_7003_;
-                                                                        phi_7004_ = _e4217;
+                                                                        let _e4218 = phi_7004_;
+                                                                        phi_7005_ = _e4218;
                                                                     } else {
-                                                                        phi_7004_ = _e4167;
+                                                                        phi_7005_ = _e4168;
                                                                     }
-                                                                    let _e4219 = phi_7004_;
-                                                                    phi_7005_ = _e4219;
-                                                                    phi_7006_ = _e4169;
+                                                                    let _e4220 = phi_7005_;
+                                                                    phi_7006_ = _e4220;
+                                                                    phi_7007_ = _e4170;
                                                                 }
-                                                                let _e4225 = phi_7005_;
-                                                                let _e4227 = phi_7006_;
-                                                                phi_6895_ = _e4225;
-                                                                phi_6897_ = _e4227;
+                                                                let _e4226 = phi_7006_;
+                                                                let _e4228 = phi_7007_;
+                                                                phi_6896_ = _e4226;
+                                                                phi_6898_ = _e4228;
                                                             } else {
-                                                                phi_6895_ = f32();
-                                                                phi_6897_ = f32();
+                                                                phi_6896_ = f32();
+                                                                phi_6898_ = f32();
                                                             }
-                                                            let _e4229 = phi_6895_;
-                                                            let _e4231 = phi_6897_;
+                                                            let _e4230 = phi_6896_;
+                                                            let _e4232 = phi_6898_;
                                                             continue;
                                                             continuing {
-                                                                phi_6891_ = type_9(select(_e4165.member, (_e4165.member + 1u), _e4172), select(_e4165.member_1, _e4165.member_1, _e4172));
-                                                                phi_6894_ = _e4229;
-                                                                phi_6896_ = _e4231;
-                                                                break if !(_e4185);
+                                                                phi_6892_ = type_9(select(_e4166.member, (_e4166.member + 1u), _e4173), select(_e4166.member_1, _e4166.member_1, _e4173));
+                                                                phi_6895_ = _e4230;
+                                                                phi_6897_ = _e4232;
+                                                                break if !(_e4186);
                                                             }
                                                         }
-                                                        let _e4234 = local_38;
-                                                        let _e4236 = local_39;
-                                                        let _e4240 = local_40;
-                                                        let _e4241 = (_e4240 + ((_e4234 - _e4236) * 0.5f));
-                                                        if (_e4241 > _e1447) {
-                                                            if (_e4241 <= _e4163) {
-                                                                let _e4246 = local_2.member[0u];
-                                                                let _e4249 = local_2.member_1[0u];
-                                                                let _e4252 = local_2.member[0u];
-                                                                let _e4258 = local_2.member_2[0u];
-                                                                if (((_e4246 + ((_e4249 - _e4252) * _e4241)) - _e4258) > 0f) {
-                                                                    let _e4263 = local_2.member[1u];
-                                                                    let _e4266 = local_2.member_1[1u];
-                                                                    let _e4269 = local_2.member[1u];
-                                                                    let _e4275 = local_2.member_2[1u];
-                                                                    if (((_e4263 + ((_e4266 - _e4269) * _e4241)) - _e4275) > 0f) {
-                                                                        let _e4280 = local_2.member[2u];
-                                                                        let _e4283 = local_2.member_1[2u];
-                                                                        let _e4286 = local_2.member[2u];
-                                                                        let _e4292 = local_2.member_2[2u];
-                                                                        if (((_e4280 + ((_e4283 - _e4286) * _e4241)) - _e4292) > 0f) {
-                                                                            let _e4297 = local_2.member[3u];
-                                                                            let _e4300 = local_2.member_1[3u];
-                                                                            let _e4303 = local_2.member[3u];
-                                                                            let _e4309 = local_2.member_2[3u];
-                                                                            phi_7167_ = (((_e4297 + ((_e4300 - _e4303) * _e4241)) - _e4309) > 0f);
-                                                                            phi_7168_ = false;
+                                                        let _e4235 = local_38;
+                                                        let _e4237 = local_39;
+                                                        let _e4241 = local_40;
+                                                        let _e4242 = (_e4241 + ((_e4235 - _e4237) * 0.5f));
+                                                        if (_e4242 > _e1448) {
+                                                            if (_e4242 <= _e4164) {
+                                                                let _e4247 = local_2.member[0u];
+                                                                let _e4250 = local_2.member_1[0u];
+                                                                let _e4253 = local_2.member[0u];
+                                                                let _e4259 = local_2.member_2[0u];
+                                                                if (((_e4247 + ((_e4250 - _e4253) * _e4242)) - _e4259) > 0f) {
+                                                                    let _e4264 = local_2.member[1u];
+                                                                    let _e4267 = local_2.member_1[1u];
+                                                                    let _e4270 = local_2.member[1u];
+                                                                    let _e4276 = local_2.member_2[1u];
+                                                                    if (((_e4264 + ((_e4267 - _e4270) * _e4242)) - _e4276) > 0f) {
+                                                                        let _e4281 = local_2.member[2u];
+                                                                        let _e4284 = local_2.member_1[2u];
+                                                                        let _e4287 = local_2.member[2u];
+                                                                        let _e4293 = local_2.member_2[2u];
+                                                                        if (((_e4281 + ((_e4284 - _e4287) * _e4242)) - _e4293) > 0f) {
+                                                                            let _e4298 = local_2.member[3u];
+                                                                            let _e4301 = local_2.member_1[3u];
+                                                                            let _e4304 = local_2.member[3u];
+                                                                            let _e4310 = local_2.member_2[3u];
+                                                                            phi_7168_ = (((_e4298 + ((_e4301 - _e4304) * _e4242)) - _e4310) > 0f);
+                                                                            phi_7169_ = false;
                                                                         } else {
-                                                                            phi_7167_ = bool();
-                                                                            phi_7168_ = true;
+                                                                            phi_7168_ = bool();
+                                                                            phi_7169_ = true;
                                                                         }
-                                                                        let _e4313 = phi_7167_;
-                                                                        let _e4315 = phi_7168_;
-                                                                        phi_7169_ = _e4313;
-                                                                        phi_7170_ = _e4315;
+                                                                        let _e4314 = phi_7168_;
+                                                                        let _e4316 = phi_7169_;
+                                                                        phi_7170_ = _e4314;
+                                                                        phi_7171_ = _e4316;
                                                                     } else {
-                                                                        phi_7169_ = bool();
-                                                                        phi_7170_ = true;
+                                                                        phi_7170_ = bool();
+                                                                        phi_7171_ = true;
                                                                     }
-                                                                    let _e4317 = phi_7169_;
-                                                                    let _e4319 = phi_7170_;
-                                                                    phi_7171_ = _e4317;
-                                                                    phi_7172_ = _e4319;
+                                                                    let _e4318 = phi_7170_;
+                                                                    let _e4320 = phi_7171_;
+                                                                    phi_7172_ = _e4318;
+                                                                    phi_7173_ = _e4320;
                                                                 } else {
-                                                                    phi_7171_ = bool();
-                                                                    phi_7172_ = true;
+                                                                    phi_7172_ = bool();
+                                                                    phi_7173_ = true;
                                                                 }
-                                                                let _e4321 = phi_7171_;
-                                                                let _e4323 = phi_7172_;
-                                                                phi_7181_ = select(true, false, select(_e4321, false, _e4323));
+                                                                let _e4322 = phi_7172_;
+                                                                let _e4324 = phi_7173_;
+                                                                phi_7182_ = select(true, false, select(_e4322, false, _e4324));
                                                             } else {
-                                                                phi_7181_ = true;
+                                                                phi_7182_ = true;
                                                             }
-                                                            let _e4327 = phi_7181_;
-                                                            phi_7182_ = _e4327;
+                                                            let _e4328 = phi_7182_;
+                                                            phi_7183_ = _e4328;
                                                         } else {
-                                                            phi_7182_ = true;
+                                                            phi_7183_ = true;
                                                         }
-                                                        let _e4329 = phi_7182_;
-                                                        phi_7189_ = type_36(2u, _e4163, select(_e4241, 2f, _e4329));
-                                                        phi_7190_ = type_36();
-                                                        phi_7191_ = false;
+                                                        let _e4330 = phi_7183_;
+                                                        phi_7190_ = type_36(2u, _e4164, select(_e4242, 2f, _e4330));
+                                                        phi_7191_ = type_36();
+                                                        phi_7192_ = false;
                                                     } else {
-                                                        phi_7189_ = type_36();
-                                                        phi_7190_ = type_36(0u, _e1447, 2f);
-                                                        phi_7191_ = true;
+                                                        phi_7190_ = type_36();
+                                                        phi_7191_ = type_36(0u, _e1448, 2f);
+                                                        phi_7192_ = true;
                                                     }
-                                                    let _e4333 = phi_7189_;
-                                                    let _e4335 = phi_7190_;
-                                                    let _e4337 = phi_7191_;
-                                                    phi_7192_ = _e4333;
-                                                    phi_7193_ = _e4335;
-                                                    phi_7194_ = _e4337;
+                                                    let _e4334 = phi_7190_;
+                                                    let _e4336 = phi_7191_;
+                                                    let _e4338 = phi_7192_;
+                                                    phi_7193_ = _e4334;
+                                                    phi_7194_ = _e4336;
+                                                    phi_7195_ = _e4338;
                                                 } else {
-                                                    phi_7192_ = type_36();
-                                                    phi_7193_ = _e4152;
-                                                    phi_7194_ = true;
+                                                    phi_7193_ = type_36();
+                                                    phi_7194_ = _e4153;
+                                                    phi_7195_ = true;
                                                 }
-                                                let _e4339 = phi_7192_;
-                                                let _e4341 = phi_7193_;
-                                                let _e4343 = phi_7194_;
-                                                phi_7199_ = _e4341;
-                                                phi_7200_ = _e4339;
-                                                phi_7201_ = _e4343;
+                                                let _e4340 = phi_7193_;
+                                                let _e4342 = phi_7194_;
+                                                let _e4344 = phi_7195_;
+                                                phi_7200_ = _e4342;
+                                                phi_7201_ = _e4340;
+                                                phi_7202_ = _e4344;
                                             } else {
-                                                phi_7199_ = type_36(0u, _e1447, 2f);
-                                                phi_7200_ = type_36();
-                                                phi_7201_ = true;
+                                                phi_7200_ = type_36(0u, _e1448, 2f);
+                                                phi_7201_ = type_36();
+                                                phi_7202_ = true;
                                             }
-                                            let _e4345 = phi_7199_;
-                                            let _e4347 = phi_7200_;
-                                            let _e4349 = phi_7201_;
-                                            phi_7205_ = _e4345;
-                                            phi_7206_ = _e4347;
-                                            phi_7207_ = false;
-                                            phi_7208_ = _e4349;
-                                        } else {
-                                            phi_7205_ = type_36();
-                                            phi_7206_ = type_36();
-                                            phi_7207_ = true;
+                                            let _e4346 = phi_7200_;
+                                            let _e4348 = phi_7201_;
+                                            let _e4350 = phi_7202_;
+                                            phi_7206_ = _e4346;
+                                            phi_7207_ = _e4348;
                                             phi_7208_ = false;
+                                            phi_7209_ = _e4350;
+                                        } else {
+                                            phi_7206_ = type_36();
+                                            phi_7207_ = type_36();
+                                            phi_7208_ = true;
+                                            phi_7209_ = false;
                                         }
-                                        let _e4351 = phi_7205_;
-                                        let _e4353 = phi_7206_;
-                                        let _e4355 = phi_7207_;
-                                        let _e4357 = phi_7208_;
-                                        phi_7209_ = _e4351;
-                                        phi_7210_ = _e4353;
-                                        phi_7211_ = _e4355;
-                                        phi_7212_ = _e4357;
+                                        let _e4352 = phi_7206_;
+                                        let _e4354 = phi_7207_;
+                                        let _e4356 = phi_7208_;
+                                        let _e4358 = phi_7209_;
+                                        phi_7210_ = _e4352;
+                                        phi_7211_ = _e4354;
+                                        phi_7212_ = _e4356;
+                                        phi_7213_ = _e4358;
                                     } else {
-                                        phi_7209_ = type_36();
                                         phi_7210_ = type_36();
-                                        phi_7211_ = true;
-                                        phi_7212_ = false;
+                                        phi_7211_ = type_36();
+                                        phi_7212_ = true;
+                                        phi_7213_ = false;
                                     }
-                                    let _e4359 = phi_7209_;
-                                    let _e4361 = phi_7210_;
-                                    let _e4363 = phi_7211_;
-                                    let _e4365 = phi_7212_;
-                                    let _e4372 = select(_e4365, true, _e4363);
-                                    let _e4374 = select(_e4361.member, select(_e4359.member, 0u, _e4363), _e4372);
-                                    let _e4378 = select(_e4361.member_2, select(_e4359.member_2, 2f, _e4363), _e4372);
-                                    if select(false, _e374, ((_e384 & 64u) != 0u)) {
-                                        let _e4380 = (_e4374 == 2u);
-                                        let _e4381 = (_e4378 <= _e382);
-                                        phi_7246_ = select(f32(), select(f32(), _e4378, _e4381), _e4380);
-                                        phi_7247_ = select(f32(), select(f32(), _e4378, _e4381), _e4380);
-                                        phi_7248_ = select(false, _e4381, _e4380);
-                                        phi_7249_ = select(false, select(true, false, _e4381), _e4380);
-                                        phi_7250_ = select(true, false, _e4380);
+                                    let _e4360 = phi_7210_;
+                                    let _e4362 = phi_7211_;
+                                    let _e4364 = phi_7212_;
+                                    let _e4366 = phi_7213_;
+                                    let _e4373 = select(_e4366, true, _e4364);
+                                    let _e4375 = select(_e4362.member, select(_e4360.member, 0u, _e4364), _e4373);
+                                    let _e4379 = select(_e4362.member_2, select(_e4360.member_2, 2f, _e4364), _e4373);
+                                    if select(false, _e375, ((_e385 & 64u) != 0u)) {
+                                        let _e4381 = (_e4375 == 2u);
+                                        let _e4382 = (_e4379 <= _e383);
+                                        phi_7247_ = select(f32(), select(f32(), _e4379, _e4382), _e4381);
+                                        phi_7248_ = select(f32(), select(f32(), _e4379, _e4382), _e4381);
+                                        phi_7249_ = select(false, _e4382, _e4381);
+                                        phi_7250_ = select(false, select(true, false, _e4382), _e4381);
+                                        phi_7251_ = select(true, false, _e4381);
                                     } else {
-                                        phi_7246_ = f32();
                                         phi_7247_ = f32();
-                                        phi_7248_ = false;
+                                        phi_7248_ = f32();
                                         phi_7249_ = false;
-                                        phi_7250_ = true;
+                                        phi_7250_ = false;
+                                        phi_7251_ = true;
                                     }
-                                    let _e4391 = phi_7246_;
-                                    let _e4393 = phi_7247_;
-                                    let _e4395 = phi_7248_;
-                                    let _e4397 = phi_7249_;
-                                    let _e4399 = phi_7250_;
-                                    phi_7251_ = _e4391;
-                                    phi_7252_ = _e4374;
-                                    phi_7253_ = _e4393;
-                                    phi_7254_ = type_36(_e4374, select(_e4361.member_1, select(_e4359.member_1, _e1447, _e4363), _e4372), _e4378);
-                                    phi_7255_ = _e4374;
-                                    phi_7256_ = _e4374;
-                                    phi_7257_ = _e4395;
-                                    phi_7258_ = _e4397;
-                                    phi_7259_ = _e4399;
+                                    let _e4392 = phi_7247_;
+                                    let _e4394 = phi_7248_;
+                                    let _e4396 = phi_7249_;
+                                    let _e4398 = phi_7250_;
+                                    let _e4400 = phi_7251_;
+                                    phi_7252_ = _e4392;
+                                    phi_7253_ = _e4375;
+                                    phi_7254_ = _e4394;
+                                    phi_7255_ = type_36(_e4375, select(_e4362.member_1, select(_e4360.member_1, _e1448, _e4364), _e4373), _e4379);
+                                    phi_7256_ = _e4375;
+                                    phi_7257_ = _e4375;
+                                    phi_7258_ = _e4396;
+                                    phi_7259_ = _e4398;
+                                    phi_7260_ = _e4400;
                                 }
-                                let _e4401 = phi_7251_;
-                                let _e4403 = phi_7252_;
-                                let _e4405 = phi_7253_;
-                                let _e4407 = phi_7254_;
-                                let _e4409 = phi_7255_;
-                                let _e4411 = phi_7256_;
-                                let _e4413 = phi_7257_;
-                                let _e4415 = phi_7258_;
-                                let _e4417 = phi_7259_;
-                                phi_7260_ = _e4401;
-                                phi_7261_ = _e4403;
-                                phi_7262_ = _e4405;
-                                phi_7263_ = _e4407;
-                                phi_7264_ = _e4409;
-                                phi_7265_ = _e4411;
-                                phi_7266_ = _e4413;
-                                phi_7267_ = _e3093;
-                                phi_7268_ = _e4415;
-                                phi_7269_ = _e4417;
-                                phi_7270_ = false;
+                                let _e4402 = phi_7252_;
+                                let _e4404 = phi_7253_;
+                                let _e4406 = phi_7254_;
+                                let _e4408 = phi_7255_;
+                                let _e4410 = phi_7256_;
+                                let _e4412 = phi_7257_;
+                                let _e4414 = phi_7258_;
+                                let _e4416 = phi_7259_;
+                                let _e4418 = phi_7260_;
+                                phi_7261_ = _e4402;
+                                phi_7262_ = _e4404;
+                                phi_7263_ = _e4406;
+                                phi_7264_ = _e4408;
+                                phi_7265_ = _e4410;
+                                phi_7266_ = _e4412;
+                                phi_7267_ = _e4414;
+                                phi_7268_ = _e3094;
+                                phi_7269_ = _e4416;
+                                phi_7270_ = _e4418;
+                                phi_7271_ = false;
                             } else {
-                                phi_7260_ = f32();
-                                phi_7261_ = u32();
-                                phi_7262_ = f32();
-                                phi_7263_ = type_36();
-                                phi_7264_ = u32();
+                                phi_7261_ = f32();
+                                phi_7262_ = u32();
+                                phi_7263_ = f32();
+                                phi_7264_ = type_36();
                                 phi_7265_ = u32();
-                                phi_7266_ = false;
+                                phi_7266_ = u32();
                                 phi_7267_ = false;
                                 phi_7268_ = false;
                                 phi_7269_ = false;
-                                phi_7270_ = true;
+                                phi_7270_ = false;
+                                phi_7271_ = true;
                             }
-                            let _e4419 = phi_7260_;
-                            let _e4421 = phi_7261_;
-                            let _e4423 = phi_7262_;
-                            let _e4425 = phi_7263_;
-                            let _e4427 = phi_7264_;
-                            let _e4429 = phi_7265_;
-                            let _e4431 = phi_7266_;
-                            let _e4433 = phi_7267_;
-                            let _e4435 = phi_7268_;
-                            let _e4437 = phi_7269_;
-                            let _e4439 = phi_7270_;
-                            phi_7271_ = _e3090;
-                            phi_2346_ = _e4419;
-                            phi_2348_ = _e4421;
-                            phi_2350_ = _e4423;
-                            phi_7272_ = _e4425;
-                            phi_7273_ = _e4427;
-                            phi_7274_ = _e3090;
-                            phi_7275_ = _e4429;
-                            phi_7276_ = _e4431;
-                            phi_7277_ = _e4433;
-                            phi_7278_ = _e4435;
-                            phi_7279_ = _e4437;
-                            phi_7280_ = false;
-                            phi_7281_ = _e4439;
+                            let _e4420 = phi_7261_;
+                            let _e4422 = phi_7262_;
+                            let _e4424 = phi_7263_;
+                            let _e4426 = phi_7264_;
+                            let _e4428 = phi_7265_;
+                            let _e4430 = phi_7266_;
+                            let _e4432 = phi_7267_;
+                            let _e4434 = phi_7268_;
+                            let _e4436 = phi_7269_;
+                            let _e4438 = phi_7270_;
+                            let _e4440 = phi_7271_;
+                            phi_7272_ = _e3091;
+                            phi_2347_ = _e4420;
+                            phi_2349_ = _e4422;
+                            phi_2351_ = _e4424;
+                            phi_7273_ = _e4426;
+                            phi_7274_ = _e4428;
+                            phi_7275_ = _e3091;
+                            phi_7276_ = _e4430;
+                            phi_7277_ = _e4432;
+                            phi_7278_ = _e4434;
+                            phi_7279_ = _e4436;
+                            phi_7280_ = _e4438;
+                            phi_7281_ = false;
+                            phi_7282_ = _e4440;
                         } else {
-                            phi_7271_ = f32();
-                            phi_2346_ = f32();
-                            phi_2348_ = u32();
-                            phi_2350_ = f32();
-                            phi_7272_ = type_36();
-                            phi_7273_ = u32();
-                            phi_7274_ = f32();
-                            phi_7275_ = u32();
-                            phi_7276_ = false;
+                            phi_7272_ = f32();
+                            phi_2347_ = f32();
+                            phi_2349_ = u32();
+                            phi_2351_ = f32();
+                            phi_7273_ = type_36();
+                            phi_7274_ = u32();
+                            phi_7275_ = f32();
+                            phi_7276_ = u32();
                             phi_7277_ = false;
                             phi_7278_ = false;
                             phi_7279_ = false;
-                            phi_7280_ = true;
-                            phi_7281_ = false;
+                            phi_7280_ = false;
+                            phi_7281_ = true;
+                            phi_7282_ = false;
                         }
-                        let _e4441 = phi_7271_;
-                        let _e4443 = phi_2346_;
-                        let _e4445 = phi_2348_;
-                        let _e4447 = phi_2350_;
-                        let _e4449 = phi_7272_;
-                        let _e4451 = phi_7273_;
-                        let _e4453 = phi_7274_;
-                        let _e4455 = phi_7275_;
-                        let _e4457 = phi_7276_;
-                        let _e4459 = phi_7277_;
-                        let _e4461 = phi_7278_;
-                        let _e4463 = phi_7279_;
-                        let _e4465 = phi_7280_;
-                        let _e4467 = phi_7281_;
-                        local_41 = _e4459;
-                        local_42 = _e4461;
-                        local_43 = _e4459;
-                        local_44 = _e4463;
-                        local_45 = _e4459;
-                        local_46 = _e4465;
-                        local_47 = _e4459;
-                        local_48 = _e4467;
-                        local_49 = _e4449;
-                        local_50 = _e4449;
-                        local_51 = _e4451;
-                        local_52 = _e4449;
-                        local_62 = _e4459;
-                        local_53 = _e4455;
-                        local_55 = _e4453;
-                        local_56 = _e4441;
+                        let _e4442 = phi_7272_;
+                        let _e4444 = phi_2347_;
+                        let _e4446 = phi_2349_;
+                        let _e4448 = phi_2351_;
+                        let _e4450 = phi_7273_;
+                        let _e4452 = phi_7274_;
+                        let _e4454 = phi_7275_;
+                        let _e4456 = phi_7276_;
+                        let _e4458 = phi_7277_;
+                        let _e4460 = phi_7278_;
+                        let _e4462 = phi_7279_;
+                        let _e4464 = phi_7280_;
+                        let _e4466 = phi_7281_;
+                        let _e4468 = phi_7282_;
+                        local_41 = _e4460;
+                        local_42 = _e4462;
+                        local_43 = _e4460;
+                        local_44 = _e4464;
+                        local_45 = _e4460;
+                        local_46 = _e4466;
+                        local_47 = _e4460;
+                        local_48 = _e4468;
+                        local_49 = _e4450;
+                        local_50 = _e4450;
+                        local_51 = _e4452;
+                        local_52 = _e4450;
+                        local_62 = _e4460;
+                        local_53 = _e4456;
+                        local_55 = _e4454;
+                        local_56 = _e4442;
                         continue;
                         continuing {
-                            phi_2342_ = _e1465;
-                            phi_2345_ = _e4443;
-                            phi_2347_ = _e4445;
-                            phi_2349_ = _e4447;
-                            break if !(_e4457);
+                            phi_2343_ = _e1466;
+                            phi_2346_ = _e4444;
+                            phi_2348_ = _e4446;
+                            phi_2350_ = _e4448;
+                            break if !(_e4458);
                         }
                     }
-                    let _e4470 = local_41;
-                    let _e4472 = local_42;
-                    let _e4473 = select(_e4472, false, _e4470);
-                    let _e4475 = local_43;
-                    let _e4477 = local_44;
-                    let _e4480 = local_45;
-                    let _e4482 = local_46;
-                    let _e4485 = local_47;
-                    let _e4487 = local_48;
-                    if _e4473 {
-                        let _e4490 = local_49;
-                        if (_e4490.member_1 >= _e382) {
-                            phi_7310_ = type_35(type_34(0u, f32()), 0u);
+                    let _e4471 = local_41;
+                    let _e4473 = local_42;
+                    let _e4474 = select(_e4473, false, _e4471);
+                    let _e4476 = local_43;
+                    let _e4478 = local_44;
+                    let _e4481 = local_45;
+                    let _e4483 = local_46;
+                    let _e4486 = local_47;
+                    let _e4488 = local_48;
+                    if _e4474 {
+                        let _e4491 = local_49;
+                        if (_e4491.member_1 >= _e383) {
+                            phi_7311_ = type_35(type_34(0u, f32()), 0u);
                         } else {
-                            let _e4494 = local_50;
-                            let _e4498 = local_51;
-                            let _e4501 = local_52;
-                            phi_7310_ = type_35(type_34(2u, _e4501.member_1), select(_e4498, 0u, (_e4494.member_1 > _e380)));
+                            let _e4495 = local_50;
+                            let _e4499 = local_51;
+                            let _e4502 = local_52;
+                            phi_7311_ = type_35(type_34(2u, _e4502.member_1), select(_e4499, 0u, (_e4495.member_1 > _e381)));
                         }
-                        let _e4508 = phi_7310_;
-                        phi_7311_ = _e4508;
-                        phi_7312_ = false;
+                        let _e4509 = phi_7311_;
+                        phi_7312_ = _e4509;
                         phi_7313_ = false;
                         phi_7314_ = false;
                         phi_7315_ = false;
+                        phi_7316_ = false;
                     } else {
-                        phi_7311_ = type_35();
-                        phi_7312_ = select(_e4477, false, _e4475);
-                        let _e5382 = local_62;
-                        phi_7313_ = _e5382;
-                        phi_7314_ = select(_e4482, false, _e4480);
-                        phi_7315_ = select(_e4487, false, _e4485);
+                        phi_7312_ = type_35();
+                        phi_7313_ = select(_e4478, false, _e4476);
+                        let _e5384 = local_62;
+                        phi_7314_ = _e5384;
+                        phi_7315_ = select(_e4483, false, _e4481);
+                        phi_7316_ = select(_e4488, false, _e4486);
                     }
-                    let _e4510 = phi_7311_;
-                    let _e4512 = phi_7312_;
-                    let _e4514 = phi_7313_;
-                    let _e4516 = phi_7314_;
-                    let _e4518 = phi_7315_;
-                    let _e4520 = local_53;
-                    let _e4522 = local_54;
-                    let _e4525 = local_55;
-                    let _e4527 = local_56;
-                    let _e4529 = select(_e4514, true, _e4512);
-                    let _e4534 = local_57;
-                    let _e4535 = select(_e4534, select(_e4527, _e4525, _e4512), _e4529);
-                    let _e4537 = local_58;
-                    let _e4538 = select(_e4537, select(_e4522, _e4520, _e4512), _e4529);
-                    if select(select(_e4516, false, _e4512), true, _e4529) {
+                    let _e4511 = phi_7312_;
+                    let _e4513 = phi_7313_;
+                    let _e4515 = phi_7314_;
+                    let _e4517 = phi_7315_;
+                    let _e4519 = phi_7316_;
+                    let _e4521 = local_53;
+                    let _e4523 = local_54;
+                    let _e4526 = local_55;
+                    let _e4528 = local_56;
+                    let _e4530 = select(_e4515, true, _e4513);
+                    let _e4535 = local_57;
+                    let _e4536 = select(_e4535, select(_e4528, _e4526, _e4513), _e4530);
+                    let _e4538 = local_58;
+                    let _e4539 = select(_e4538, select(_e4523, _e4521, _e4513), _e4530);
+                    if select(select(_e4517, false, _e4513), true, _e4530) {
                         local[0u] = 0.01f;
                         local[1u] = 0f;
                         local[2u] = 0.8f;
-                        phi_7347_ = type_9(0u, 3u);
+                        phi_7348_ = type_9(0u, 3u);
                         loop {
-                            let _e4549 = phi_7347_;
-                            let _e4552 = (_e4549.member < _e4549.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e4552)) != 0i) {
-                                let _e4567 = local[select(type_9().member_1, _e4549.member, _e4552)];
-                                let _e4569 = (_e4535 + (select(0f, _e378, (_e378 >= (0.000000059604645f * 8f))) * _e4567));
-                                let _e4571 = select(_e382, _e4569, (_e4569 < _e382));
-                                let _e4574 = local_5.member[0u];
-                                let _e4580 = local_5.member[1u];
-                                let _e4596 = local_5.member_1[0u];
-                                let _e4602 = local_5.member_1[1u];
-                                let _e4618 = local_5.member_2[0u];
-                                let _e4624 = local_5.member_2[1u];
-                                let _e4638 = function_3(array<f32, 3>((_e4574[0] + ((_e4580[0] - _e4574[0]) * _e4571)), (_e4574[1] + ((_e4580[1] - _e4574[1]) * _e4571)), (_e4574[2] + ((_e4580[2] - _e4574[2]) * _e4571))), array<f32, 3>((_e4596[0] + ((_e4602[0] - _e4596[0]) * _e4571)), (_e4596[1] + ((_e4602[1] - _e4596[1]) * _e4571)), (_e4596[2] + ((_e4602[2] - _e4596[2]) * _e4571))), array<f32, 3>((_e4618[0] + ((_e4624[0] - _e4618[0]) * _e4571)), (_e4618[1] + ((_e4624[1] - _e4618[1]) * _e4571)), (_e4618[2] + ((_e4624[2] - _e4618[2]) * _e4571))), _e225.member);
-                                let _e4649 = (((_e4638[0] * _e4638[0]) + (_e4638[1] * _e4638[1])) + (_e4638[2] * _e4638[2]));
-                                if (_e4649 <= 0.000000000000000000000000000000000000011754944f) {
-                                    phi_7579_ = select(0f, (0.000000000000000000106433627f * 2f), (_e4649 > 0f));
+                            let _e4550 = phi_7348_;
+                            let _e4553 = (_e4550.member < _e4550.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e4553)) != 0i) {
+                                let _e4568 = local[select(type_9().member_1, _e4550.member, _e4553)];
+                                let _e4570 = (_e4536 + (select(0f, _e379, (_e379 >= (0.000000059604645f * 8f))) * _e4568));
+                                let _e4572 = select(_e383, _e4570, (_e4570 < _e383));
+                                let _e4575 = local_5.member[0u];
+                                let _e4581 = local_5.member[1u];
+                                let _e4597 = local_5.member_1[0u];
+                                let _e4603 = local_5.member_1[1u];
+                                let _e4619 = local_5.member_2[0u];
+                                let _e4625 = local_5.member_2[1u];
+                                let _e4639 = function_3(array<f32, 3>((_e4575[0] + ((_e4581[0] - _e4575[0]) * _e4572)), (_e4575[1] + ((_e4581[1] - _e4575[1]) * _e4572)), (_e4575[2] + ((_e4581[2] - _e4575[2]) * _e4572))), array<f32, 3>((_e4597[0] + ((_e4603[0] - _e4597[0]) * _e4572)), (_e4597[1] + ((_e4603[1] - _e4597[1]) * _e4572)), (_e4597[2] + ((_e4603[2] - _e4597[2]) * _e4572))), array<f32, 3>((_e4619[0] + ((_e4625[0] - _e4619[0]) * _e4572)), (_e4619[1] + ((_e4625[1] - _e4619[1]) * _e4572)), (_e4619[2] + ((_e4625[2] - _e4619[2]) * _e4572))), _e226.member);
+                                let _e4650 = (((_e4639[0] * _e4639[0]) + (_e4639[1] * _e4639[1])) + (_e4639[2] * _e4639[2]));
+                                if (_e4650 <= 0.000000000000000000000000000000000000011754944f) {
+                                    phi_7580_ = select(0f, (0.000000000000000000106433627f * 2f), (_e4650 > 0f));
                                 } else {
-                                    phi_7522_ = type_14(0i, 5i);
-                                    phi_7525_ = bitcast<f32>(((bitcast<u32>(_e4649) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_7523_ = type_14(0i, 5i);
+                                    phi_7526_ = bitcast<f32>(((bitcast<u32>(_e4650) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e4657 = phi_7522_;
-                                        let _e4659 = phi_7525_;
-                                        local_59 = _e4659;
-                                        if (_e4657.member < _e4657.member_1) {
-                                            let _e4666 = (_e4657.member + 1i);
-                                            phi_7523_ = type_14(select(_e4666, type_15().member_1, select(false, true, ((false == (_e4666 > _e4657.member)) != false))), _e4657.member_1);
-                                            phi_7566_ = type_15(1u, _e4657.member);
+                                        let _e4658 = phi_7523_;
+                                        let _e4660 = phi_7526_;
+                                        local_59 = _e4660;
+                                        if (_e4658.member < _e4658.member_1) {
+                                            let _e4667 = (_e4658.member + 1i);
+                                            phi_7524_ = type_14(select(_e4667, type_15().member_1, select(false, true, ((false == (_e4667 > _e4658.member)) != false))), _e4658.member_1);
+                                            phi_7567_ = type_15(1u, _e4658.member);
                                         } else {
-                                            phi_7523_ = _e4657;
-                                            phi_7566_ = type_15(0u, type_15().member_1);
+                                            phi_7524_ = _e4658;
+                                            phi_7567_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e4677 = phi_7523_;
-                                        let _e4679 = phi_7566_;
-                                        let _e4682 = (bitcast<i32>(_e4679.member) != 0i);
-                                        if _e4682 {
-                                            phi_7526_ = (0.5f * (_e4659 + (_e4649 / _e4659)));
+                                        let _e4678 = phi_7524_;
+                                        let _e4680 = phi_7567_;
+                                        let _e4683 = (bitcast<i32>(_e4680.member) != 0i);
+                                        if _e4683 {
+                                            phi_7527_ = (0.5f * (_e4660 + (_e4650 / _e4660)));
                                         } else {
-                                            phi_7526_ = f32();
+                                            phi_7527_ = f32();
                                         }
-                                        let _e4687 = phi_7526_;
+                                        let _e4688 = phi_7527_;
                                         continue;
                                         continuing {
-                                            phi_7522_ = _e4677;
-                                            phi_7525_ = _e4687;
-                                            break if !(_e4682);
+                                            phi_7523_ = _e4678;
+                                            phi_7526_ = _e4688;
+                                            break if !(_e4683);
                                         }
                                     }
-                                    let _e4692 = local_59;
-                                    phi_7579_ = (_e4692 * (1f + (8f * 0.000000059604645f)));
+                                    let _e4693 = local_59;
+                                    phi_7580_ = (_e4693 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e4698 = phi_7579_;
-                                let _e4704 = local_5.member[0u];
-                                let _e4710 = select(_e4704[0], -(_e4704[0]), (_e4704[0] < 0f));
-                                let _e4713 = select(_e4704[1], -(_e4704[1]), (_e4704[1] < 0f));
-                                let _e4715 = select(_e4713, _e4710, (_e4710 > _e4713));
-                                let _e4718 = select(_e4704[2], -(_e4704[2]), (_e4704[2] < 0f));
-                                let _e4720 = select(_e4718, _e4715, (_e4715 > _e4718));
-                                let _e4723 = local_5.member[1u];
-                                let _e4729 = select(_e4723[0], -(_e4723[0]), (_e4723[0] < 0f));
-                                let _e4732 = select(_e4723[1], -(_e4723[1]), (_e4723[1] < 0f));
-                                let _e4734 = select(_e4732, _e4729, (_e4729 > _e4732));
-                                let _e4737 = select(_e4723[2], -(_e4723[2]), (_e4723[2] < 0f));
-                                let _e4739 = select(_e4737, _e4734, (_e4734 > _e4737));
-                                let _e4743 = local_5.member_3;
-                                let _e4747 = local_5.member_1[0u];
-                                let _e4753 = select(_e4747[0], -(_e4747[0]), (_e4747[0] < 0f));
-                                let _e4756 = select(_e4747[1], -(_e4747[1]), (_e4747[1] < 0f));
-                                let _e4758 = select(_e4756, _e4753, (_e4753 > _e4756));
-                                let _e4761 = select(_e4747[2], -(_e4747[2]), (_e4747[2] < 0f));
-                                let _e4763 = select(_e4761, _e4758, (_e4758 > _e4761));
-                                let _e4766 = local_5.member_1[1u];
-                                let _e4772 = select(_e4766[0], -(_e4766[0]), (_e4766[0] < 0f));
-                                let _e4775 = select(_e4766[1], -(_e4766[1]), (_e4766[1] < 0f));
-                                let _e4777 = select(_e4775, _e4772, (_e4772 > _e4775));
-                                let _e4780 = select(_e4766[2], -(_e4766[2]), (_e4766[2] < 0f));
-                                let _e4782 = select(_e4780, _e4777, (_e4777 > _e4780));
-                                let _e4786 = local_5.member_3;
-                                let _e4790 = local_5.member_2[0u];
-                                let _e4796 = select(_e4790[0], -(_e4790[0]), (_e4790[0] < 0f));
-                                let _e4799 = select(_e4790[1], -(_e4790[1]), (_e4790[1] < 0f));
-                                let _e4801 = select(_e4799, _e4796, (_e4796 > _e4799));
-                                let _e4804 = select(_e4790[2], -(_e4790[2]), (_e4790[2] < 0f));
-                                let _e4806 = select(_e4804, _e4801, (_e4801 > _e4804));
-                                let _e4809 = local_5.member_2[1u];
-                                let _e4815 = select(_e4809[0], -(_e4809[0]), (_e4809[0] < 0f));
-                                let _e4818 = select(_e4809[1], -(_e4809[1]), (_e4809[1] < 0f));
-                                let _e4820 = select(_e4818, _e4815, (_e4815 > _e4818));
-                                let _e4823 = select(_e4809[2], -(_e4809[2]), (_e4809[2] < 0f));
-                                let _e4825 = select(_e4823, _e4820, (_e4820 > _e4823));
-                                let _e4829 = local_5.member_3;
-                                let _e4836 = local_5.member_3;
-                                let _e4843 = (((_e4698 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e4739, _e4720, (_e4720 > _e4739)) + _e4743) + (select(_e4782, _e4763, (_e4763 > _e4782)) + _e4786)) + (select(_e4825, _e4806, (_e4806 > _e4825)) + _e4829)) * (0.000000059604645f * 16f)) + (_e4836 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e733.member_1);
-                                phi_7850_ = select(true, false, _e4843);
-                                phi_7851_ = _e4843;
+                                let _e4699 = phi_7580_;
+                                let _e4705 = local_5.member[0u];
+                                let _e4711 = select(_e4705[0], -(_e4705[0]), (_e4705[0] < 0f));
+                                let _e4714 = select(_e4705[1], -(_e4705[1]), (_e4705[1] < 0f));
+                                let _e4716 = select(_e4714, _e4711, (_e4711 > _e4714));
+                                let _e4719 = select(_e4705[2], -(_e4705[2]), (_e4705[2] < 0f));
+                                let _e4721 = select(_e4719, _e4716, (_e4716 > _e4719));
+                                let _e4724 = local_5.member[1u];
+                                let _e4730 = select(_e4724[0], -(_e4724[0]), (_e4724[0] < 0f));
+                                let _e4733 = select(_e4724[1], -(_e4724[1]), (_e4724[1] < 0f));
+                                let _e4735 = select(_e4733, _e4730, (_e4730 > _e4733));
+                                let _e4738 = select(_e4724[2], -(_e4724[2]), (_e4724[2] < 0f));
+                                let _e4740 = select(_e4738, _e4735, (_e4735 > _e4738));
+                                let _e4744 = local_5.member_3;
+                                let _e4748 = local_5.member_1[0u];
+                                let _e4754 = select(_e4748[0], -(_e4748[0]), (_e4748[0] < 0f));
+                                let _e4757 = select(_e4748[1], -(_e4748[1]), (_e4748[1] < 0f));
+                                let _e4759 = select(_e4757, _e4754, (_e4754 > _e4757));
+                                let _e4762 = select(_e4748[2], -(_e4748[2]), (_e4748[2] < 0f));
+                                let _e4764 = select(_e4762, _e4759, (_e4759 > _e4762));
+                                let _e4767 = local_5.member_1[1u];
+                                let _e4773 = select(_e4767[0], -(_e4767[0]), (_e4767[0] < 0f));
+                                let _e4776 = select(_e4767[1], -(_e4767[1]), (_e4767[1] < 0f));
+                                let _e4778 = select(_e4776, _e4773, (_e4773 > _e4776));
+                                let _e4781 = select(_e4767[2], -(_e4767[2]), (_e4767[2] < 0f));
+                                let _e4783 = select(_e4781, _e4778, (_e4778 > _e4781));
+                                let _e4787 = local_5.member_3;
+                                let _e4791 = local_5.member_2[0u];
+                                let _e4797 = select(_e4791[0], -(_e4791[0]), (_e4791[0] < 0f));
+                                let _e4800 = select(_e4791[1], -(_e4791[1]), (_e4791[1] < 0f));
+                                let _e4802 = select(_e4800, _e4797, (_e4797 > _e4800));
+                                let _e4805 = select(_e4791[2], -(_e4791[2]), (_e4791[2] < 0f));
+                                let _e4807 = select(_e4805, _e4802, (_e4802 > _e4805));
+                                let _e4810 = local_5.member_2[1u];
+                                let _e4816 = select(_e4810[0], -(_e4810[0]), (_e4810[0] < 0f));
+                                let _e4819 = select(_e4810[1], -(_e4810[1]), (_e4810[1] < 0f));
+                                let _e4821 = select(_e4819, _e4816, (_e4816 > _e4819));
+                                let _e4824 = select(_e4810[2], -(_e4810[2]), (_e4810[2] < 0f));
+                                let _e4826 = select(_e4824, _e4821, (_e4821 > _e4824));
+                                let _e4830 = local_5.member_3;
+                                let _e4837 = local_5.member_3;
+                                let _e4844 = (((_e4699 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e4740, _e4721, (_e4721 > _e4740)) + _e4744) + (select(_e4783, _e4764, (_e4764 > _e4783)) + _e4787)) + (select(_e4826, _e4807, (_e4807 > _e4826)) + _e4830)) * (0.000000059604645f * 16f)) + (_e4837 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e734.member_1);
+                                phi_7851_ = select(true, false, _e4844);
+                                phi_7852_ = _e4844;
                             } else {
-                                phi_7850_ = false;
                                 phi_7851_ = false;
+                                phi_7852_ = false;
                             }
-                            let _e4846 = phi_7850_;
-                            let _e4848 = phi_7851_;
-                            local_60 = _e4848;
+                            let _e4847 = phi_7851_;
+                            let _e4849 = phi_7852_;
+                            local_60 = _e4849;
                             continue;
                             continuing {
-                                phi_7347_ = type_9(select(_e4549.member, (_e4549.member + 1u), _e4552), select(_e4549.member_1, _e4549.member_1, _e4552));
-                                break if !(_e4846);
+                                phi_7348_ = type_9(select(_e4550.member, (_e4550.member + 1u), _e4553), select(_e4550.member_1, _e4550.member_1, _e4553));
+                                break if !(_e4847);
                             }
                         }
-                        let _e4851 = local_60;
-                        if _e4851 {
-                            phi_7863_ = type_35(type_34(1u, _e4535), select(_e4538, 1u, (_e4535 > _e380)));
-                            phi_7864_ = false;
+                        let _e4852 = local_60;
+                        if _e4852 {
+                            phi_7864_ = type_35(type_34(1u, _e4536), select(_e4539, 1u, (_e4536 > _e381)));
+                            phi_7865_ = false;
                         } else {
-                            phi_7863_ = type_35();
-                            phi_7864_ = true;
+                            phi_7864_ = type_35();
+                            phi_7865_ = true;
                         }
-                        let _e4857 = phi_7863_;
-                        let _e4859 = phi_7864_;
-                        if _e4859 {
-                            phi_7876_ = type_35(type_34(2u, _e4535), select(_e4538, 0u, (_e4535 > _e380)));
+                        let _e4858 = phi_7864_;
+                        let _e4860 = phi_7865_;
+                        if _e4860 {
+                            phi_7877_ = type_35(type_34(2u, _e4536), select(_e4539, 0u, (_e4536 > _e381)));
                         } else {
-                            phi_7876_ = _e4857;
+                            phi_7877_ = _e4858;
                         }
-                        let _e4865 = phi_7876_;
-                        phi_7877_ = _e4865;
-                        phi_7878_ = false;
+                        let _e4866 = phi_7877_;
+                        phi_7878_ = _e4866;
                         phi_7879_ = false;
+                        phi_7880_ = false;
                     } else {
-                        phi_7877_ = type_35();
-                        phi_7878_ = select(select(_e4518, false, _e4512), false, _e4529);
-                        phi_7879_ = select(select(_e4473, false, _e4512), false, _e4529);
+                        phi_7878_ = type_35();
+                        phi_7879_ = select(select(_e4519, false, _e4513), false, _e4530);
+                        phi_7880_ = select(select(_e4474, false, _e4513), false, _e4530);
                     }
-                    let _e4867 = phi_7877_;
-                    let _e4869 = phi_7878_;
-                    let _e4871 = phi_7879_;
-                    if _e4869 {
-                        phi_7886_ = type_35(type_34(0u, f32()), 0u);
-                        phi_7887_ = true;
+                    let _e4868 = phi_7878_;
+                    let _e4870 = phi_7879_;
+                    let _e4872 = phi_7880_;
+                    if _e4870 {
+                        phi_7887_ = type_35(type_34(0u, f32()), 0u);
+                        phi_7888_ = true;
                     } else {
-                        phi_7886_ = _e4510;
-                        phi_7887_ = _e4871;
+                        phi_7887_ = _e4511;
+                        phi_7888_ = _e4872;
                     }
-                    let _e4875 = phi_7886_;
-                    let _e4877 = phi_7887_;
-                    phi_7891_ = _e4875;
-                    phi_7892_ = _e4867;
-                    phi_7893_ = _e4877;
+                    let _e4876 = phi_7887_;
+                    let _e4878 = phi_7888_;
+                    phi_7892_ = _e4876;
+                    phi_7893_ = _e4868;
+                    phi_7894_ = _e4878;
                 } else {
-                    phi_7891_ = _e1437;
-                    phi_7892_ = type_35();
-                    phi_7893_ = true;
+                    phi_7892_ = _e1438;
+                    phi_7893_ = type_35();
+                    phi_7894_ = true;
                 }
-                let _e4879 = phi_7891_;
-                let _e4881 = phi_7892_;
-                let _e4883 = phi_7893_;
-                if _e4883 {
-                    phi_7897_ = _e4879;
+                let _e4880 = phi_7892_;
+                let _e4882 = phi_7893_;
+                let _e4884 = phi_7894_;
+                if _e4884 {
+                    phi_7898_ = _e4880;
                 } else {
-                    phi_7897_ = _e4881;
+                    phi_7898_ = _e4882;
                 }
-                let _e4885 = phi_7897_;
-                switch bitcast<i32>(_e4885.member.member) {
+                let _e4886 = phi_7898_;
+                switch bitcast<i32>(_e4886.member.member) {
                     case 0: {
-                        phi_7915_ = type_32(0u, _e4885.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_7916_ = type_32(0u, _e4886.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4896 = function_(_e4885.member.member_1);
-                        phi_7915_ = type_32(0u, _e4885.member_1, _e4896, true);
+                        let _e4897 = function_(_e4886.member.member_1);
+                        phi_7916_ = type_32(0u, _e4886.member_1, _e4897, true);
                         break;
                     }
                     case 2: {
-                        let _e4892 = function_(_e4885.member.member_1);
-                        phi_7915_ = type_32(1u, _e4885.member_1, _e4892, true);
+                        let _e4893 = function_(_e4886.member.member_1);
+                        phi_7916_ = type_32(1u, _e4886.member_1, _e4893, true);
                         break;
                     }
                     default: {
-                        phi_7915_ = type_32();
+                        phi_7916_ = type_32();
                         break;
                     }
                 }
-                let _e4900 = phi_7915_;
-                let _e4904 = params.member.member.member_12;
-                let _e4905 = bitcast<u32>(_e4904);
-                if (_e4900.member_2[0] == select((_e4905 << bitcast<u32>(29i)), 0u, ((_e4905 & 2147483647u) < 8388608u))) {
-                    let _e4915 = params.member.member.member_12;
-                    let _e4916 = bitcast<u32>(_e4915);
-                    let _e4917 = (_e4916 & 2147483647u);
-                    phi_7955_ = (_e4900.member_2[1] == select(((_e4916 ^ _e4917) | ((_e4917 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e4917 < 8388608u)));
+                let _e4901 = phi_7916_;
+                let _e4905 = params.member.member.member_12;
+                let _e4906 = bitcast<u32>(_e4905);
+                if (_e4901.member_2[0] == select((_e4906 << bitcast<u32>(29i)), 0u, ((_e4906 & 2147483647u) < 8388608u))) {
+                    let _e4916 = params.member.member.member_12;
+                    let _e4917 = bitcast<u32>(_e4916);
+                    let _e4918 = (_e4917 & 2147483647u);
+                    phi_7956_ = (_e4901.member_2[1] == select(((_e4917 ^ _e4918) | ((_e4918 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e4918 < 8388608u)));
                 } else {
-                    phi_7955_ = false;
+                    phi_7956_ = false;
                 }
-                let _e4927 = phi_7955_;
-                let _e4929 = params.member.member.member_1;
-                if ((_e4929 & 128u) != 0u) {
-                    phi_7971_ = true;
+                let _e4928 = phi_7956_;
+                let _e4930 = params.member.member.member_1;
+                if ((_e4930 & 128u) != 0u) {
+                    phi_7972_ = true;
                 } else {
-                    let _e4933 = params.member.member.member_1;
-                    phi_7971_ = select(false, _e4927, ((_e4933 & 64u) != 0u));
+                    let _e4934 = params.member.member.member_1;
+                    phi_7972_ = select(false, _e4928, ((_e4934 & 64u) != 0u));
                 }
-                let _e4938 = phi_7971_;
-                local_6 = type_32(select(1u, _e4900.member, select(true, select(true, false, _e4938), _e4900.member_3)), _e4900.member_1, array<u32, 2>(_e4900.member_2[0], _e4900.member_2[1]), _e4900.member_3);
-                phi_7998_ = type_9(_e183, _e186);
+                let _e4939 = phi_7972_;
+                local_6 = type_32(select(1u, _e4901.member, select(true, select(true, false, _e4939), _e4901.member_3)), _e4901.member_1, array<u32, 2>(_e4901.member_2[0], _e4901.member_2[1]), _e4901.member_3);
+                phi_7999_ = type_9(_e184, _e187);
             } else {
-                phi_7998_ = type_9(0u, 0u);
+                phi_7999_ = type_9(0u, 0u);
             }
-            let _e4952 = phi_7998_;
-            let _e4958 = local_6.member;
-            let _e4960 = select(true, false, (_e4958 == 0u));
-            let _e4962 = local_6.member_3;
-            if _e4962 {
-                if _e4960 {
-                    phi_8027_ = true;
+            let _e4953 = phi_7999_;
+            let _e4959 = local_6.member;
+            let _e4961 = select(true, false, (_e4959 == 0u));
+            let _e4963 = local_6.member_3;
+            if _e4963 {
+                if _e4961 {
+                    phi_8028_ = true;
                 } else {
-                    let _e4964 = params.member.member.member_1;
-                    phi_8027_ = ((_e4964 & 16u) != 0u);
+                    let _e4965 = params.member.member.member_1;
+                    phi_8028_ = ((_e4965 & 16u) != 0u);
                 }
-                let _e4968 = phi_8027_;
-                phi_8028_ = _e4968;
+                let _e4969 = phi_8028_;
+                phi_8029_ = _e4969;
             } else {
-                phi_8028_ = false;
+                phi_8029_ = false;
             }
-            let _e4970 = phi_8028_;
-            let _e4972 = local_6.member_3;
-            if _e4972 {
-                if _e4960 {
+            let _e4971 = phi_8029_;
+            let _e4973 = local_6.member_3;
+            if _e4973 {
+                if _e4961 {
                 } else {
-                    let _e4974 = local_6.member_2;
-                    let _e4978 = (_e4974[1] >> bitcast<u32>(20i));
-                    let _e4992 = atomicMin((&earliest.member[0u]), select(((((_e4978 - 896u) << bitcast<u32>(23i)) | ((_e4974[1] & 1048575u) << bitcast<u32>(3i))) | (_e4974[0] >> bitcast<u32>(29i))), 0u, (_e4978 <= 896u)));
+                    let _e4975 = local_6.member_2;
+                    let _e4980 = ((_e4975[1] >> bitcast<u32>(20i)) & 2047u);
+                    let _e4994 = atomicMin((&earliest.member[0u]), select(((((_e4980 - 896u) << bitcast<u32>(23i)) | ((_e4975[1] & 1048575u) << bitcast<u32>(3i))) | (_e4975[0] >> bitcast<u32>(29i))), 0u, (_e4980 <= 896u)));
                 }
             }
-            if (_e102 == 0u) {
+            if (_e103 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4970 {
-                let _e4996 = atomicAdd((&counters[0u]), 1u);
-                phi_8071_ = _e4996;
+            if _e4971 {
+                let _e4998 = atomicAdd((&counters[0u]), 1u);
+                phi_8073_ = _e4998;
             } else {
-                phi_8071_ = 0u;
+                phi_8073_ = 0u;
             }
-            let _e4998 = phi_8071_;
+            let _e5000 = phi_8073_;
             workgroupBarrier();
-            if (_e102 == 0u) {
-                let _e5001 = atomicLoad((&counters[0u]));
-                if (_e5001 > 0u) {
-                    let _e5004 = atomicAdd((&contacts.member[0u]), _e5001);
-                    atomicStore((&counters[1u]), _e5004);
+            if (_e103 == 0u) {
+                let _e5003 = atomicLoad((&counters[0u]));
+                if (_e5003 > 0u) {
+                    let _e5006 = atomicAdd((&contacts.member[0u]), _e5003);
+                    atomicStore((&counters[1u]), _e5006);
                 }
             }
             workgroupBarrier();
-            let _e5007 = atomicLoad((&counters[1u]));
-            let _e5008 = (_e5007 + _e4998);
-            if _e4970 {
-                let _e5010 = params.member.member_1.member_3;
-                if (_e5008 < _e5010) {
-                    let _e5016 = (7u * _e5008);
-                    atomicStore((&contacts.member[(4u + _e5016)]), select(1u, 0u, ((_e4952.member_1 & 2147483648u) == 0u)));
-                    let _e5021 = local_6.member;
-                    atomicStore((&contacts.member[(_e5016 + 5u)]), _e5021);
-                    atomicStore((&contacts.member[(_e5016 + 6u)]), _e4952.member);
-                    atomicStore((&contacts.member[(_e5016 + 7u)]), (_e4952.member_1 & 2147483647u));
-                    let _e5030 = local_6.member_2[0u];
-                    atomicStore((&contacts.member[(_e5016 + 8u)]), _e5030);
-                    let _e5035 = local_6.member_2[1u];
-                    atomicStore((&contacts.member[(_e5016 + 9u)]), _e5035);
-                    let _e5039 = local_6.member_1;
-                    atomicStore((&contacts.member[(_e5016 + 10u)]), _e5039);
+            let _e5009 = atomicLoad((&counters[1u]));
+            let _e5010 = (_e5009 + _e5000);
+            if _e4971 {
+                let _e5012 = params.member.member_1.member_3;
+                if (_e5010 < _e5012) {
+                    let _e5018 = (7u * _e5010);
+                    atomicStore((&contacts.member[(4u + _e5018)]), select(1u, 0u, ((_e4953.member_1 & 2147483648u) == 0u)));
+                    let _e5023 = local_6.member;
+                    atomicStore((&contacts.member[(_e5018 + 5u)]), _e5023);
+                    atomicStore((&contacts.member[(_e5018 + 6u)]), _e4953.member);
+                    atomicStore((&contacts.member[(_e5018 + 7u)]), (_e4953.member_1 & 2147483647u));
+                    let _e5032 = local_6.member_2[0u];
+                    atomicStore((&contacts.member[(_e5018 + 8u)]), _e5032);
+                    let _e5037 = local_6.member_2[1u];
+                    atomicStore((&contacts.member[(_e5018 + 9u)]), _e5037);
+                    let _e5041 = local_6.member_1;
+                    atomicStore((&contacts.member[(_e5018 + 10u)]), _e5041);
                 }
             }
         }
         continue;
         continuing {
-            phi_284_ = type_9(select(_e154.member, (_e154.member + 1u), _e157), select(_e154.member_1, _e154.member_1, _e157));
-            break if !(_e170);
+            phi_285_ = type_9(select(_e155.member, (_e155.member + 1u), _e158), select(_e155.member_1, _e155.member_1, _e158));
+            break if !(_e171);
         }
     }
     return;

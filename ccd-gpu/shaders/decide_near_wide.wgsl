@@ -150,9 +150,9 @@ var<storage, read_write> contacts: type_46;
 var<storage, read_write> earliest: type_46;
 
 fn function_(param: array<f32, 3>) -> array<f64, 3> {
-    var phi_244_: f64;
-    var phi_287_: f64;
-    var phi_330_: f64;
+    var phi_245_: f64;
+    var phi_288_: f64;
+    var phi_331_: f64;
 
     let _e10 = bitcast<u32>(param[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -160,33 +160,33 @@ fn function_(param: array<f32, 3>) -> array<f64, 3> {
         let _e20 = bitcast<u32>(param[0]);
         let _e21 = (_e20 & 2147483647u);
         let _e22 = (_e21 < 8388608u);
-        phi_244_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
+        phi_245_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
     } else {
-        phi_244_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
+        phi_245_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
     }
-    let _e38 = phi_244_;
+    let _e38 = phi_245_;
     let _e40 = bitcast<u32>(param[1]);
     let _e41 = (_e40 & 2147483647u);
     if (_e41 >= 8388608u) {
         let _e50 = bitcast<u32>(param[1]);
         let _e51 = (_e50 & 2147483647u);
         let _e52 = (_e51 < 8388608u);
-        phi_287_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
+        phi_288_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
     } else {
-        phi_287_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
+        phi_288_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
     }
-    let _e68 = phi_287_;
+    let _e68 = phi_288_;
     let _e70 = bitcast<u32>(param[2]);
     let _e71 = (_e70 & 2147483647u);
     if (_e71 >= 8388608u) {
         let _e80 = bitcast<u32>(param[2]);
         let _e81 = (_e80 & 2147483647u);
         let _e82 = (_e81 < 8388608u);
-        phi_330_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
+        phi_331_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
     } else {
-        phi_330_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
+        phi_331_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
     }
-    let _e98 = phi_330_;
+    let _e98 = phi_331_;
     return array<f64, 3>(_e38, _e68, _e98);
 }
 
@@ -201,7 +201,7 @@ fn function_2(param_2: array<f64, 3>, param_3: array<f64, 3>) -> array<f64, 3> {
 }
 
 fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64, 3>, param_7: u32) -> array<f64, 3> {
-    var phi_858_: array<array<f64, 3>, 4>;
+    var phi_859_: array<array<f64, 3>, 4>;
 
     let _e9 = (param_4[0] - param_5[0]);
     let _e12 = (param_4[1] - param_5[1]);
@@ -218,7 +218,7 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e275 = (param_4[2] - param_6[2]);
         let _e295 = ((((_e269 * param_5[0]) + (_e272 * param_5[1])) + (_e275 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e303 = select(f64(0f), select(f64(1f), _e295, (_e295 < f64(1f))), (_e295 > f64(0f)));
-        phi_858_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e171)), (param_4[1] - (param_5[1] * _e171)), (param_4[2] - (param_5[2] * _e171))), array<f64, 3>((param_4[0] - (param_6[0] * _e215)), (param_4[1] - (param_6[1] * _e215)), (param_4[2] - (param_6[2] * _e215))), array<f64, 3>((_e9 - (param_6[0] * _e256)), (_e12 - (param_6[1] * _e256)), (_e15 - (param_6[2] * _e256))), array<f64, 3>((_e269 - (param_5[0] * _e303)), (_e272 - (param_5[1] * _e303)), (_e275 - (param_5[2] * _e303))));
+        phi_859_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e171)), (param_4[1] - (param_5[1] * _e171)), (param_4[2] - (param_5[2] * _e171))), array<f64, 3>((param_4[0] - (param_6[0] * _e215)), (param_4[1] - (param_6[1] * _e215)), (param_4[2] - (param_6[2] * _e215))), array<f64, 3>((_e9 - (param_6[0] * _e256)), (_e12 - (param_6[1] * _e256)), (_e15 - (param_6[2] * _e256))), array<f64, 3>((_e269 - (param_5[0] * _e303)), (_e272 - (param_5[1] * _e303)), (_e275 - (param_5[2] * _e303))));
     } else {
         let _e19 = (param_6[0] - param_5[0]);
         let _e22 = (param_6[1] - param_5[1]);
@@ -230,9 +230,9 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e82 = select(f64(0f), select(f64(1f), _e74, (_e74 < f64(1f))), (_e74 > f64(0f)));
         let _e118 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         let _e126 = select(f64(0f), select(f64(1f), _e118, (_e118 < f64(1f))), (_e118 > f64(0f)));
-        phi_858_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e82)), (param_4[1] - (param_5[1] * _e82)), (param_4[2] - (param_5[2] * _e82))), array<f64, 3>((param_4[0] - (param_6[0] * _e126)), (param_4[1] - (param_6[1] * _e126)), (param_4[2] - (param_6[2] * _e126))), _e51, _e51);
+        phi_859_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e82)), (param_4[1] - (param_5[1] * _e82)), (param_4[2] - (param_5[2] * _e82))), array<f64, 3>((param_4[0] - (param_6[0] * _e126)), (param_4[1] - (param_6[1] * _e126)), (param_4[2] - (param_6[2] * _e126))), _e51, _e51);
     }
-    let _e316 = phi_858_;
+    let _e316 = phi_859_;
     let _e319 = function_2(_e316[0], _e316[1]);
     let _e321 = function_2(_e319, _e316[2]);
     let _e323 = function_2(_e321, _e316[3]);
@@ -240,12 +240,12 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
 }
 
 fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f64, 3>, param_11: u32) -> array<f64, 3> {
-    var phi_457_: bool;
-    var phi_491_: array<f64, 3>;
-    var phi_492_: bool;
-    var phi_493_: array<f64, 3>;
-    var phi_494_: bool;
-    var phi_499_: array<f64, 3>;
+    var phi_458_: bool;
+    var phi_492_: array<f64, 3>;
+    var phi_493_: bool;
+    var phi_494_: array<f64, 3>;
+    var phi_495_: bool;
+    var phi_500_: array<f64, 3>;
 
     let _e23 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
     let _e34 = (((param_9[0] * param_10[0]) + (param_9[1] * param_10[1])) + (param_9[2] * param_10[2]));
@@ -261,38 +261,38 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
         let _e91 = (_e76 >= _e71);
         let _e92 = (_e80 >= _e71);
         let _e93 = (_e76 <= _e72);
-        phi_457_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
+        phi_458_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
     } else {
         let _e82 = (_e76 >= _e71);
         let _e83 = (_e80 >= _e71);
-        phi_457_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
+        phi_458_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
     }
-    let _e103 = phi_457_;
+    let _e103 = phi_458_;
     if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
         if _e103 {
-            phi_491_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
-            phi_492_ = false;
+            phi_492_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
+            phi_493_ = false;
         } else {
-            phi_491_ = array<f64, 3>();
-            phi_492_ = true;
+            phi_492_ = array<f64, 3>();
+            phi_493_ = true;
         }
-        let _e132 = phi_491_;
-        let _e134 = phi_492_;
-        phi_493_ = _e132;
-        phi_494_ = _e134;
+        let _e132 = phi_492_;
+        let _e134 = phi_493_;
+        phi_494_ = _e132;
+        phi_495_ = _e134;
     } else {
-        phi_493_ = array<f64, 3>();
-        phi_494_ = true;
+        phi_494_ = array<f64, 3>();
+        phi_495_ = true;
     }
-    let _e136 = phi_493_;
-    let _e138 = phi_494_;
+    let _e136 = phi_494_;
+    let _e138 = phi_495_;
     if _e138 {
         let _e139 = function_3(param_8, param_9, param_10, param_11);
-        phi_499_ = _e139;
+        phi_500_ = _e139;
     } else {
-        phi_499_ = _e136;
+        phi_500_ = _e136;
     }
-    let _e141 = phi_499_;
+    let _e141 = phi_500_;
     return _e141;
 }
 
@@ -304,186 +304,186 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_4: type_39;
     var local_5: type_33;
     var local_6: type_35;
-    var phi_953_: u32;
-    var phi_998_: u32;
-    var phi_1001_: type_9;
-    var phi_1175_: type_23;
-    var phi_1371_: type_31;
-    var phi_1532_: type_33;
-    var phi_2029_: bool;
-    var phi_2125_: type_36;
-    var phi_2126_: bool;
-    var phi_2127_: type_36;
-    var phi_2128_: bool;
-    var phi_2129_: type_36;
-    var phi_2130_: bool;
-    var phi_2135_: type_36;
-    var phi_2305_: type_16;
-    var phi_2308_: f64;
+    var phi_954_: u32;
+    var phi_999_: u32;
+    var phi_1002_: type_9;
+    var phi_1176_: type_23;
+    var phi_1372_: type_31;
+    var phi_1533_: type_33;
+    var phi_2030_: bool;
+    var phi_2126_: type_36;
+    var phi_2127_: bool;
+    var phi_2128_: type_36;
+    var phi_2129_: bool;
+    var phi_2130_: type_36;
+    var phi_2131_: bool;
+    var phi_2136_: type_36;
     var phi_2306_: type_16;
-    var phi_2349_: type_17;
     var phi_2309_: f64;
+    var phi_2307_: type_16;
+    var phi_2350_: type_17;
+    var phi_2310_: f64;
     var local_7: f64;
-    var phi_2362_: f64;
-    var phi_3289_: type_38;
-    var phi_3290_: bool;
-    var phi_3291_: type_38;
-    var phi_3292_: bool;
-    var phi_3298_: type_16;
-    var phi_3301_: f64;
-    var phi_3303_: u32;
-    var phi_3305_: f64;
+    var phi_2363_: f64;
+    var phi_3290_: type_38;
+    var phi_3291_: bool;
+    var phi_3292_: type_38;
+    var phi_3293_: bool;
     var phi_3299_: type_16;
-    var phi_3346_: type_17;
-    var phi_3789_: type_9;
-    var phi_3792_: f64;
-    var phi_3794_: f64;
-    var phi_3796_: f64;
-    var phi_3798_: f64;
-    var phi_3800_: bool;
-    var phi_3802_: u32;
-    var phi_3954_: array<f64, 3>;
-    var phi_4022_: type_16;
-    var phi_4025_: f64;
-    var phi_4023_: type_16;
-    var phi_4066_: type_17;
-    var phi_4026_: f64;
-    var local_8: f64;
-    var phi_4079_: f64;
-    var phi_4205_: type_39;
-    var phi_4206_: bool;
-    var phi_4207_: type_39;
-    var phi_4208_: bool;
-    var phi_4218_: type_39;
-    var phi_4390_: bool;
-    var phi_4391_: bool;
-    var phi_4392_: bool;
-    var phi_4393_: bool;
-    var phi_4394_: bool;
-    var phi_4395_: bool;
-    var phi_4697_: bool;
-    var phi_4698_: bool;
-    var phi_4699_: bool;
-    var phi_4700_: bool;
-    var phi_4701_: bool;
-    var phi_4702_: bool;
-    var phi_4710_: bool;
-    var phi_4820_: f64;
-    var phi_4821_: bool;
-    var phi_4822_: f64;
-    var phi_4823_: bool;
-    var phi_4824_: f64;
-    var phi_4825_: bool;
-    var phi_4826_: bool;
-    var phi_4892_: f64;
-    var phi_4893_: bool;
-    var phi_4894_: f64;
-    var phi_4895_: bool;
-    var phi_4896_: f64;
-    var phi_4897_: bool;
-    var phi_4898_: bool;
-    var phi_4969_: f64;
-    var phi_4970_: bool;
-    var phi_4971_: f64;
-    var phi_4972_: bool;
-    var phi_4973_: f64;
-    var phi_4974_: bool;
-    var phi_4975_: bool;
-    var phi_5041_: f64;
-    var phi_5042_: bool;
-    var phi_5043_: f64;
-    var phi_5044_: bool;
-    var phi_5045_: f64;
-    var phi_5046_: bool;
-    var phi_5047_: bool;
-    var phi_5224_: type_16;
-    var phi_5227_: f64;
-    var phi_5225_: type_16;
-    var phi_5268_: type_17;
-    var phi_5228_: f64;
-    var local_9: f64;
-    var phi_5281_: f64;
-    var phi_5558_: bool;
-    var phi_5559_: bool;
-    var phi_5586_: f64;
-    var phi_5587_: f64;
-    var phi_5588_: bool;
-    var phi_5589_: f64;
-    var phi_5590_: f64;
-    var phi_5591_: bool;
-    var phi_5592_: bool;
-    var phi_5593_: f64;
-    var phi_5594_: f64;
-    var phi_5595_: f64;
-    var phi_5596_: f64;
-    var phi_5597_: bool;
-    var phi_5598_: bool;
-    var phi_5599_: bool;
-    var phi_5600_: bool;
-    var phi_5601_: f64;
-    var phi_5602_: f64;
-    var phi_5603_: f64;
-    var phi_5604_: f64;
-    var phi_5605_: bool;
-    var phi_5606_: bool;
-    var phi_5607_: bool;
-    var phi_5608_: bool;
-    var phi_5609_: bool;
-    var phi_5610_: f64;
-    var phi_5611_: f64;
-    var phi_5612_: f64;
-    var phi_5613_: f64;
-    var phi_5614_: bool;
-    var phi_5615_: bool;
-    var phi_5616_: bool;
-    var phi_5617_: bool;
-    var phi_5618_: bool;
-    var phi_5956_: f64;
-    var phi_5958_: u32;
-    var phi_5959_: f64;
-    var phi_5960_: bool;
-    var phi_5961_: bool;
-    var phi_5962_: bool;
-    var phi_5963_: u32;
-    var phi_5964_: f64;
-    var phi_5965_: f64;
-    var phi_5966_: f64;
-    var phi_5967_: f64;
-    var phi_5968_: bool;
-    var phi_5969_: u32;
-    var phi_5970_: bool;
-    var phi_5971_: bool;
-    var phi_5972_: bool;
-    var phi_5973_: bool;
-    var phi_5974_: bool;
-    var phi_5975_: bool;
-    var phi_6003_: f64;
-    var phi_6004_: f64;
-    var phi_6005_: f64;
-    var phi_6006_: f64;
-    var phi_6007_: bool;
-    var phi_6008_: u32;
-    var phi_6009_: bool;
-    var phi_6010_: bool;
-    var phi_6011_: bool;
-    var phi_6012_: bool;
-    var phi_6013_: bool;
-    var phi_6014_: bool;
+    var phi_3302_: f64;
+    var phi_3304_: u32;
+    var phi_3306_: f64;
+    var phi_3300_: type_16;
+    var phi_3347_: type_17;
+    var phi_3790_: type_9;
     var phi_3793_: f64;
     var phi_3795_: f64;
     var phi_3797_: f64;
     var phi_3799_: f64;
     var phi_3801_: bool;
     var phi_3803_: u32;
-    var phi_6015_: f64;
+    var phi_3955_: array<f64, 3>;
+    var phi_4023_: type_16;
+    var phi_4026_: f64;
+    var phi_4024_: type_16;
+    var phi_4067_: type_17;
+    var phi_4027_: f64;
+    var local_8: f64;
+    var phi_4080_: f64;
+    var phi_4206_: type_39;
+    var phi_4207_: bool;
+    var phi_4208_: type_39;
+    var phi_4209_: bool;
+    var phi_4219_: type_39;
+    var phi_4391_: bool;
+    var phi_4392_: bool;
+    var phi_4393_: bool;
+    var phi_4394_: bool;
+    var phi_4395_: bool;
+    var phi_4396_: bool;
+    var phi_4698_: bool;
+    var phi_4699_: bool;
+    var phi_4700_: bool;
+    var phi_4701_: bool;
+    var phi_4702_: bool;
+    var phi_4703_: bool;
+    var phi_4711_: bool;
+    var phi_4821_: f64;
+    var phi_4822_: bool;
+    var phi_4823_: f64;
+    var phi_4824_: bool;
+    var phi_4825_: f64;
+    var phi_4826_: bool;
+    var phi_4827_: bool;
+    var phi_4893_: f64;
+    var phi_4894_: bool;
+    var phi_4895_: f64;
+    var phi_4896_: bool;
+    var phi_4897_: f64;
+    var phi_4898_: bool;
+    var phi_4899_: bool;
+    var phi_4970_: f64;
+    var phi_4971_: bool;
+    var phi_4972_: f64;
+    var phi_4973_: bool;
+    var phi_4974_: f64;
+    var phi_4975_: bool;
+    var phi_4976_: bool;
+    var phi_5042_: f64;
+    var phi_5043_: bool;
+    var phi_5044_: f64;
+    var phi_5045_: bool;
+    var phi_5046_: f64;
+    var phi_5047_: bool;
+    var phi_5048_: bool;
+    var phi_5225_: type_16;
+    var phi_5228_: f64;
+    var phi_5226_: type_16;
+    var phi_5269_: type_17;
+    var phi_5229_: f64;
+    var local_9: f64;
+    var phi_5282_: f64;
+    var phi_5559_: bool;
+    var phi_5560_: bool;
+    var phi_5587_: f64;
+    var phi_5588_: f64;
+    var phi_5589_: bool;
+    var phi_5590_: f64;
+    var phi_5591_: f64;
+    var phi_5592_: bool;
+    var phi_5593_: bool;
+    var phi_5594_: f64;
+    var phi_5595_: f64;
+    var phi_5596_: f64;
+    var phi_5597_: f64;
+    var phi_5598_: bool;
+    var phi_5599_: bool;
+    var phi_5600_: bool;
+    var phi_5601_: bool;
+    var phi_5602_: f64;
+    var phi_5603_: f64;
+    var phi_5604_: f64;
+    var phi_5605_: f64;
+    var phi_5606_: bool;
+    var phi_5607_: bool;
+    var phi_5608_: bool;
+    var phi_5609_: bool;
+    var phi_5610_: bool;
+    var phi_5611_: f64;
+    var phi_5612_: f64;
+    var phi_5613_: f64;
+    var phi_5614_: f64;
+    var phi_5615_: bool;
+    var phi_5616_: bool;
+    var phi_5617_: bool;
+    var phi_5618_: bool;
+    var phi_5619_: bool;
+    var phi_5957_: f64;
+    var phi_5959_: u32;
+    var phi_5960_: f64;
+    var phi_5961_: bool;
+    var phi_5962_: bool;
+    var phi_5963_: bool;
+    var phi_5964_: u32;
+    var phi_5965_: f64;
+    var phi_5966_: f64;
+    var phi_5967_: f64;
+    var phi_5968_: f64;
+    var phi_5969_: bool;
+    var phi_5970_: u32;
+    var phi_5971_: bool;
+    var phi_5972_: bool;
+    var phi_5973_: bool;
+    var phi_5974_: bool;
+    var phi_5975_: bool;
+    var phi_5976_: bool;
+    var phi_6004_: f64;
+    var phi_6005_: f64;
+    var phi_6006_: f64;
+    var phi_6007_: f64;
+    var phi_6008_: bool;
+    var phi_6009_: u32;
+    var phi_6010_: bool;
+    var phi_6011_: bool;
+    var phi_6012_: bool;
+    var phi_6013_: bool;
+    var phi_6014_: bool;
+    var phi_6015_: bool;
+    var phi_3794_: f64;
+    var phi_3796_: f64;
+    var phi_3798_: f64;
+    var phi_3800_: f64;
+    var phi_3802_: bool;
+    var phi_3804_: u32;
     var phi_6016_: f64;
-    var phi_6017_: bool;
+    var phi_6017_: f64;
     var phi_6018_: bool;
     var phi_6019_: bool;
     var phi_6020_: bool;
     var phi_6021_: bool;
     var phi_6022_: bool;
     var phi_6023_: bool;
+    var phi_6024_: bool;
     var local_10: bool;
     var local_11: bool;
     var local_12: bool;
@@ -499,135 +499,135 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_22: f64;
     var local_23: f64;
     var local_24: f64;
-    var phi_6090_: f64;
-    var phi_6091_: bool;
-    var phi_6716_: type_16;
-    var phi_6719_: f64;
+    var phi_6091_: f64;
+    var phi_6092_: bool;
     var phi_6717_: type_16;
-    var phi_6760_: type_17;
     var phi_6720_: f64;
+    var phi_6718_: type_16;
+    var phi_6761_: type_17;
+    var phi_6721_: f64;
     var local_25: f64;
-    var phi_6773_: f64;
-    var phi_7011_: type_16;
-    var phi_7014_: f64;
+    var phi_6774_: f64;
     var phi_7012_: type_16;
-    var phi_7055_: type_17;
     var phi_7015_: f64;
+    var phi_7013_: type_16;
+    var phi_7056_: type_17;
+    var phi_7016_: f64;
     var local_26: f64;
-    var phi_7068_: f64;
-    var phi_7100_: type_16;
-    var phi_7103_: f64;
+    var phi_7069_: f64;
     var phi_7101_: type_16;
-    var phi_7144_: type_17;
     var phi_7104_: f64;
+    var phi_7102_: type_16;
+    var phi_7145_: type_17;
+    var phi_7105_: f64;
     var local_27: f64;
-    var phi_7157_: f64;
-    var phi_7475_: type_9;
-    var phi_7478_: f64;
+    var phi_7158_: f64;
+    var phi_7476_: type_9;
     var phi_7479_: f64;
+    var phi_7480_: f64;
     var local_28: f64;
     var local_29: f64;
-    var phi_7580_: type_16;
-    var phi_7583_: f64;
     var phi_7581_: type_16;
-    var phi_7624_: type_17;
     var phi_7584_: f64;
+    var phi_7582_: type_16;
+    var phi_7625_: type_17;
+    var phi_7585_: f64;
     var local_30: f64;
-    var phi_7637_: f64;
-    var phi_7644_: type_9;
-    var phi_7647_: f64;
-    var phi_7649_: bool;
-    var phi_7651_: bool;
-    var phi_7887_: f64;
-    var phi_7888_: f64;
+    var phi_7638_: f64;
+    var phi_7645_: type_9;
     var phi_7648_: f64;
     var phi_7650_: bool;
     var phi_7652_: bool;
+    var phi_7888_: f64;
+    var phi_7889_: f64;
+    var phi_7649_: f64;
+    var phi_7651_: bool;
+    var phi_7653_: bool;
     var local_31: f64;
     var local_32: f64;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
     var local_36: bool;
-    var phi_7906_: type_42;
-    var phi_7907_: bool;
+    var phi_7907_: type_42;
+    var phi_7908_: bool;
     var local_37: bool;
-    var phi_7929_: type_9;
-    var phi_7932_: f64;
-    var phi_7934_: f64;
-    var phi_8044_: f64;
+    var phi_7930_: type_9;
+    var phi_7933_: f64;
+    var phi_7935_: f64;
     var phi_8045_: f64;
     var phi_8046_: f64;
     var phi_8047_: f64;
-    var phi_7933_: f64;
-    var phi_7935_: f64;
+    var phi_8048_: f64;
+    var phi_7934_: f64;
+    var phi_7936_: f64;
     var local_38: f64;
     var local_39: f64;
     var local_40: f64;
-    var phi_8210_: bool;
     var phi_8211_: bool;
     var phi_8212_: bool;
     var phi_8213_: bool;
     var phi_8214_: bool;
     var phi_8215_: bool;
-    var phi_8224_: bool;
+    var phi_8216_: bool;
     var phi_8225_: bool;
-    var phi_8234_: type_42;
+    var phi_8226_: bool;
     var phi_8235_: type_42;
-    var phi_8236_: bool;
-    var phi_8237_: type_42;
+    var phi_8236_: type_42;
+    var phi_8237_: bool;
     var phi_8238_: type_42;
-    var phi_8239_: bool;
-    var phi_8245_: type_42;
+    var phi_8239_: type_42;
+    var phi_8240_: bool;
     var phi_8246_: type_42;
-    var phi_8247_: bool;
-    var phi_8251_: type_42;
+    var phi_8247_: type_42;
+    var phi_8248_: bool;
     var phi_8252_: type_42;
-    var phi_8253_: bool;
+    var phi_8253_: type_42;
     var phi_8254_: bool;
-    var phi_8255_: type_42;
+    var phi_8255_: bool;
     var phi_8256_: type_42;
-    var phi_8257_: bool;
+    var phi_8257_: type_42;
     var phi_8258_: bool;
-    var phi_8293_: f64;
+    var phi_8259_: bool;
     var phi_8294_: f64;
-    var phi_8295_: bool;
+    var phi_8295_: f64;
     var phi_8296_: bool;
     var phi_8297_: bool;
-    var phi_8298_: f64;
-    var phi_8299_: u32;
-    var phi_8300_: f64;
-    var phi_8301_: type_42;
-    var phi_8302_: u32;
+    var phi_8298_: bool;
+    var phi_8299_: f64;
+    var phi_8300_: u32;
+    var phi_8301_: f64;
+    var phi_8302_: type_42;
     var phi_8303_: u32;
-    var phi_8304_: bool;
+    var phi_8304_: u32;
     var phi_8305_: bool;
     var phi_8306_: bool;
-    var phi_8307_: f64;
-    var phi_8308_: u32;
-    var phi_8309_: f64;
-    var phi_8310_: type_42;
-    var phi_8311_: u32;
+    var phi_8307_: bool;
+    var phi_8308_: f64;
+    var phi_8309_: u32;
+    var phi_8310_: f64;
+    var phi_8311_: type_42;
     var phi_8312_: u32;
-    var phi_8313_: bool;
+    var phi_8313_: u32;
     var phi_8314_: bool;
     var phi_8315_: bool;
     var phi_8316_: bool;
     var phi_8317_: bool;
-    var phi_8318_: f64;
-    var phi_3302_: f64;
-    var phi_3304_: u32;
-    var phi_3306_: f64;
-    var phi_8319_: type_42;
-    var phi_8320_: u32;
-    var phi_8321_: f64;
-    var phi_8322_: u32;
-    var phi_8323_: bool;
+    var phi_8318_: bool;
+    var phi_8319_: f64;
+    var phi_3303_: f64;
+    var phi_3305_: u32;
+    var phi_3307_: f64;
+    var phi_8320_: type_42;
+    var phi_8321_: u32;
+    var phi_8322_: f64;
+    var phi_8323_: u32;
     var phi_8324_: bool;
     var phi_8325_: bool;
     var phi_8326_: bool;
     var phi_8327_: bool;
     var phi_8328_: bool;
+    var phi_8329_: bool;
     var local_41: bool;
     var local_42: bool;
     var local_43: bool;
@@ -640,45 +640,45 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_50: type_42;
     var local_51: u32;
     var local_52: type_42;
-    var phi_8357_: type_38;
     var phi_8358_: type_38;
-    var phi_8359_: bool;
+    var phi_8359_: type_38;
     var phi_8360_: bool;
     var phi_8361_: bool;
     var phi_8362_: bool;
+    var phi_8363_: bool;
     var local_53: u32;
     var local_54: u32;
     var local_55: f64;
     var local_56: f64;
     var local_57: f64;
     var local_58: u32;
-    var phi_8396_: type_9;
-    var phi_8572_: type_16;
-    var phi_8575_: f64;
+    var phi_8397_: type_9;
     var phi_8573_: type_16;
-    var phi_8616_: type_17;
     var phi_8576_: f64;
+    var phi_8574_: type_16;
+    var phi_8617_: type_17;
+    var phi_8577_: f64;
     var local_59: f64;
-    var phi_8629_: f64;
-    var phi_8906_: bool;
+    var phi_8630_: f64;
     var phi_8907_: bool;
+    var phi_8908_: bool;
     var local_60: bool;
-    var phi_8919_: type_38;
-    var phi_8920_: bool;
-    var phi_8932_: type_38;
+    var phi_8920_: type_38;
+    var phi_8921_: bool;
     var phi_8933_: type_38;
-    var phi_8934_: bool;
+    var phi_8934_: type_38;
     var phi_8935_: bool;
-    var phi_8942_: type_38;
-    var phi_8943_: bool;
-    var phi_8947_: type_38;
+    var phi_8936_: bool;
+    var phi_8943_: type_38;
+    var phi_8944_: bool;
     var phi_8948_: type_38;
-    var phi_8949_: bool;
-    var phi_8953_: type_38;
-    var phi_8971_: type_35;
-    var phi_8980_: type_9;
-    var phi_9005_: bool;
-    var phi_9048_: u32;
+    var phi_8949_: type_38;
+    var phi_8950_: bool;
+    var phi_8954_: type_38;
+    var phi_8972_: type_35;
+    var phi_8981_: type_9;
+    var phi_9006_: bool;
+    var phi_9050_: u32;
     var local_61: bool;
     var local_62: bool;
     var id_2: vec3<u32>;
@@ -688,2403 +688,2403 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e104 = id_2;
-    let _e105 = n_2;
-    let _e106 = lane_2;
-    let _e118 = ((_e104.y * _e105.x) + _e104.x);
-    let _e121 = (_e105.x * _e105.y);
-    let _e124 = params.member.member_1.member_2;
-    let _e126 = input.member[0u];
-    let _e128 = select(_e126, _e124, (_e124 < _e126));
-    let _e130 = params.member.member_1.member_1;
-    if (_e128 > _e130) {
-        let _e133 = params.member.member_1.member_1;
-        phi_953_ = (_e128 - _e133);
+    let _e105 = id_2;
+    let _e106 = n_2;
+    let _e107 = lane_2;
+    let _e119 = ((_e105.y * _e106.x) + _e105.x);
+    let _e122 = (_e106.x * _e106.y);
+    let _e125 = params.member.member_1.member_2;
+    let _e127 = input.member[0u];
+    let _e129 = select(_e127, _e125, (_e125 < _e127));
+    let _e131 = params.member.member_1.member_1;
+    if (_e129 > _e131) {
+        let _e134 = params.member.member_1.member_1;
+        phi_954_ = (_e129 - _e134);
     } else {
-        phi_953_ = 0u;
+        phi_954_ = 0u;
     }
-    let _e136 = phi_953_;
-    let _e138 = params.member.member_1.member;
-    let _e140 = select(_e136, _e138, (_e138 < _e136));
-    let _e141 = (_e140 / 64u);
-    let _e145 = select(_e141, (_e141 + 1u), ((_e140 % 64u) > 0u));
-    if (_e145 > _e118) {
-        let _e147 = (_e145 - _e118);
-        if (_e121 == 0u) {
+    let _e137 = phi_954_;
+    let _e139 = params.member.member_1.member;
+    let _e141 = select(_e137, _e139, (_e139 < _e137));
+    let _e142 = (_e141 / 64u);
+    let _e146 = select(_e142, (_e142 + 1u), ((_e141 % 64u) > 0u));
+    if (_e146 > _e119) {
+        let _e148 = (_e146 - _e119);
+        if (_e122 == 0u) {
             return;
         }
-        let _e149 = (_e147 / _e121);
-        if (_e121 == 0u) {
+        let _e150 = (_e148 / _e122);
+        if (_e122 == 0u) {
             return;
         }
-        phi_998_ = select(_e149, (_e149 + 1u), ((_e147 % _e121) > 0u));
+        phi_999_ = select(_e150, (_e150 + 1u), ((_e148 % _e122) > 0u));
     } else {
-        phi_998_ = 0u;
+        phi_999_ = 0u;
     }
-    let _e156 = phi_998_;
-    phi_1001_ = type_9(0u, _e156);
+    let _e157 = phi_999_;
+    phi_1002_ = type_9(0u, _e157);
     loop {
-        let _e159 = phi_1001_;
-        let _e162 = (_e159.member < _e159.member_1);
-        let _e175 = (bitcast<i32>(select(0u, 1u, _e162)) != 0i);
-        if _e175 {
-            let _e179 = (((_e118 + (select(type_9().member_1, _e159.member, _e162) * _e121)) * 64u) + _e106);
+        let _e160 = phi_1002_;
+        let _e163 = (_e160.member < _e160.member_1);
+        let _e176 = (bitcast<i32>(select(0u, 1u, _e163)) != 0i);
+        if _e176 {
+            let _e180 = (((_e119 + (select(type_9().member_1, _e160.member, _e163) * _e122)) * 64u) + _e107);
             local_6 = type_35(0u, 0u, array<u32, 2>(0u, 0u), false);
-            if (_e179 < _e140) {
-                let _e183 = params.member.member_1.member_1;
-                let _e185 = (2u * (_e183 + _e179));
-                let _e188 = input.member[(4u + _e185)];
-                let _e191 = input.member[(_e185 + 5u)];
-                let _e196 = (_e191 & 2147483647u);
-                if (select(1u, 0u, ((_e191 & 2147483648u) == 0u)) == 0u) {
-                    let _e215 = params.member.member.member[1u];
-                    let _e218 = ((2u * _e215) + (3u * _e196));
-                    let _e220 = elements.member[_e218];
-                    let _e223 = elements.member[(_e218 + 1u)];
-                    let _e226 = elements.member[(_e218 + 2u)];
-                    phi_1175_ = type_23(0u, array<u32, 4>(_e188, _e220, _e223, _e226));
+            if (_e180 < _e141) {
+                let _e184 = params.member.member_1.member_1;
+                let _e186 = (2u * (_e184 + _e180));
+                let _e189 = input.member[(4u + _e186)];
+                let _e192 = input.member[(_e186 + 5u)];
+                let _e197 = (_e192 & 2147483647u);
+                if (select(1u, 0u, ((_e192 & 2147483648u) == 0u)) == 0u) {
+                    let _e216 = params.member.member.member[1u];
+                    let _e219 = ((2u * _e216) + (3u * _e197));
+                    let _e221 = elements.member[_e219];
+                    let _e224 = elements.member[(_e219 + 1u)];
+                    let _e227 = elements.member[(_e219 + 2u)];
+                    phi_1176_ = type_23(0u, array<u32, 4>(_e189, _e221, _e224, _e227));
                 } else {
-                    let _e199 = (2u * _e188);
-                    let _e201 = elements.member[_e199];
-                    let _e204 = elements.member[(_e199 + 1u)];
-                    let _e205 = (2u * _e196);
-                    let _e207 = elements.member[_e205];
-                    let _e210 = elements.member[(_e205 + 1u)];
-                    phi_1175_ = type_23(1u, array<u32, 4>(_e201, _e204, _e207, _e210));
+                    let _e200 = (2u * _e189);
+                    let _e202 = elements.member[_e200];
+                    let _e205 = elements.member[(_e200 + 1u)];
+                    let _e206 = (2u * _e197);
+                    let _e208 = elements.member[_e206];
+                    let _e211 = elements.member[(_e206 + 1u)];
+                    phi_1176_ = type_23(1u, array<u32, 4>(_e202, _e205, _e208, _e211));
                 }
-                let _e230 = phi_1175_;
-                let _e234 = params.member.member.member_1;
-                if ((_e234 & 8u) != 0u) {
-                    let _e278 = paths.member[_e230.member_1[0]];
-                    let _e293 = paths.member[_e230.member_1[1]];
-                    let _e308 = paths.member[_e230.member_1[2]];
-                    let _e323 = paths.member[_e230.member_1[3]];
-                    let _e344 = function_(array<f32, 3>(_e278.member.x, _e278.member.y, _e278.member.z));
-                    let _e345 = function_(array<f32, 3>(_e293.member.x, _e293.member.y, _e293.member.z));
-                    let _e346 = function_(array<f32, 3>(_e308.member.x, _e308.member.y, _e308.member.z));
-                    let _e347 = function_(array<f32, 3>(_e323.member.x, _e323.member.y, _e323.member.z));
-                    let _e349 = function_(array<f32, 3>(_e278.member_1.x, _e278.member_1.y, _e278.member_1.z));
-                    let _e350 = function_(array<f32, 3>(_e293.member_1.x, _e293.member_1.y, _e293.member_1.z));
-                    let _e351 = function_(array<f32, 3>(_e308.member_1.x, _e308.member_1.y, _e308.member_1.z));
-                    let _e352 = function_(array<f32, 3>(_e323.member_1.x, _e323.member_1.y, _e323.member_1.z));
-                    phi_1371_ = type_31(array<array<f64, 3>, 4>(_e344, _e345, _e346, _e347), array<array<f64, 3>, 4>(_e349, _e350, _e351, _e352));
+                let _e231 = phi_1176_;
+                let _e235 = params.member.member.member_1;
+                if ((_e235 & 8u) != 0u) {
+                    let _e279 = paths.member[_e231.member_1[0]];
+                    let _e294 = paths.member[_e231.member_1[1]];
+                    let _e309 = paths.member[_e231.member_1[2]];
+                    let _e324 = paths.member[_e231.member_1[3]];
+                    let _e345 = function_(array<f32, 3>(_e279.member.x, _e279.member.y, _e279.member.z));
+                    let _e346 = function_(array<f32, 3>(_e294.member.x, _e294.member.y, _e294.member.z));
+                    let _e347 = function_(array<f32, 3>(_e309.member.x, _e309.member.y, _e309.member.z));
+                    let _e348 = function_(array<f32, 3>(_e324.member.x, _e324.member.y, _e324.member.z));
+                    let _e350 = function_(array<f32, 3>(_e279.member_1.x, _e279.member_1.y, _e279.member_1.z));
+                    let _e351 = function_(array<f32, 3>(_e294.member_1.x, _e294.member_1.y, _e294.member_1.z));
+                    let _e352 = function_(array<f32, 3>(_e309.member_1.x, _e309.member_1.y, _e309.member_1.z));
+                    let _e353 = function_(array<f32, 3>(_e324.member_1.x, _e324.member_1.y, _e324.member_1.z));
+                    phi_1372_ = type_31(array<array<f64, 3>, 4>(_e345, _e346, _e347, _e348), array<array<f64, 3>, 4>(_e350, _e351, _e352, _e353));
                 } else {
-                    let _e239 = positions.member[_e230.member_1[0]];
-                    let _e242 = params.member.member.member[0u];
-                    let _e245 = positions.member[(_e242 + _e230.member_1[0])];
-                    let _e248 = positions.member[_e230.member_1[1]];
-                    let _e251 = params.member.member.member[0u];
-                    let _e254 = positions.member[(_e251 + _e230.member_1[1])];
-                    let _e257 = positions.member[_e230.member_1[2]];
-                    let _e260 = params.member.member.member[0u];
-                    let _e263 = positions.member[(_e260 + _e230.member_1[2])];
-                    let _e266 = positions.member[_e230.member_1[3]];
-                    let _e269 = params.member.member.member[0u];
-                    let _e272 = positions.member[(_e269 + _e230.member_1[3])];
-                    phi_1371_ = type_31(array<array<f64, 3>, 4>(_e239, _e248, _e257, _e266), array<array<f64, 3>, 4>(_e245, _e254, _e263, _e272));
+                    let _e240 = positions.member[_e231.member_1[0]];
+                    let _e243 = params.member.member.member[0u];
+                    let _e246 = positions.member[(_e243 + _e231.member_1[0])];
+                    let _e249 = positions.member[_e231.member_1[1]];
+                    let _e252 = params.member.member.member[0u];
+                    let _e255 = positions.member[(_e252 + _e231.member_1[1])];
+                    let _e258 = positions.member[_e231.member_1[2]];
+                    let _e261 = params.member.member.member[0u];
+                    let _e264 = positions.member[(_e261 + _e231.member_1[2])];
+                    let _e267 = positions.member[_e231.member_1[3]];
+                    let _e270 = params.member.member.member[0u];
+                    let _e273 = positions.member[(_e270 + _e231.member_1[3])];
+                    phi_1372_ = type_31(array<array<f64, 3>, 4>(_e240, _e249, _e258, _e267), array<array<f64, 3>, 4>(_e246, _e255, _e264, _e273));
                 }
-                let _e356 = phi_1371_;
-                if (_e230.member != 0u) {
-                    phi_1532_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[2][0] - _e356.member[0][0]), (_e356.member[2][1] - _e356.member[0][1]), (_e356.member[2][2] - _e356.member[0][2])), array<f64, 3>((_e356.member_1[2][0] - _e356.member_1[0][0]), (_e356.member_1[2][1] - _e356.member_1[0][1]), (_e356.member_1[2][2] - _e356.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[1][0] - _e356.member[0][0]), (_e356.member[1][1] - _e356.member[0][1]), (_e356.member[1][2] - _e356.member[0][2])), array<f64, 3>((_e356.member_1[1][0] - _e356.member_1[0][0]), (_e356.member_1[1][1] - _e356.member_1[0][1]), (_e356.member_1[1][2] - _e356.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[2][0] - _e356.member[3][0]), (_e356.member[2][1] - _e356.member[3][1]), (_e356.member[2][2] - _e356.member[3][2])), array<f64, 3>((_e356.member_1[2][0] - _e356.member_1[3][0]), (_e356.member_1[2][1] - _e356.member_1[3][1]), (_e356.member_1[2][2] - _e356.member_1[3][2]))), (0.0lf + 0.0lf));
+                let _e357 = phi_1372_;
+                if (_e231.member != 0u) {
+                    phi_1533_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e357.member[2][0] - _e357.member[0][0]), (_e357.member[2][1] - _e357.member[0][1]), (_e357.member[2][2] - _e357.member[0][2])), array<f64, 3>((_e357.member_1[2][0] - _e357.member_1[0][0]), (_e357.member_1[2][1] - _e357.member_1[0][1]), (_e357.member_1[2][2] - _e357.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e357.member[1][0] - _e357.member[0][0]), (_e357.member[1][1] - _e357.member[0][1]), (_e357.member[1][2] - _e357.member[0][2])), array<f64, 3>((_e357.member_1[1][0] - _e357.member_1[0][0]), (_e357.member_1[1][1] - _e357.member_1[0][1]), (_e357.member_1[1][2] - _e357.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e357.member[2][0] - _e357.member[3][0]), (_e357.member[2][1] - _e357.member[3][1]), (_e357.member[2][2] - _e357.member[3][2])), array<f64, 3>((_e357.member_1[2][0] - _e357.member_1[3][0]), (_e357.member_1[2][1] - _e357.member_1[3][1]), (_e357.member_1[2][2] - _e357.member_1[3][2]))), (0.0lf + 0.0lf));
                 } else {
-                    phi_1532_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[0][0] - _e356.member[1][0]), (_e356.member[0][1] - _e356.member[1][1]), (_e356.member[0][2] - _e356.member[1][2])), array<f64, 3>((_e356.member_1[0][0] - _e356.member_1[1][0]), (_e356.member_1[0][1] - _e356.member_1[1][1]), (_e356.member_1[0][2] - _e356.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[2][0] - _e356.member[1][0]), (_e356.member[2][1] - _e356.member[1][1]), (_e356.member[2][2] - _e356.member[1][2])), array<f64, 3>((_e356.member_1[2][0] - _e356.member_1[1][0]), (_e356.member_1[2][1] - _e356.member_1[1][1]), (_e356.member_1[2][2] - _e356.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[3][0] - _e356.member[1][0]), (_e356.member[3][1] - _e356.member[1][1]), (_e356.member[3][2] - _e356.member[1][2])), array<f64, 3>((_e356.member_1[3][0] - _e356.member_1[1][0]), (_e356.member_1[3][1] - _e356.member_1[1][1]), (_e356.member_1[3][2] - _e356.member_1[1][2]))), (0.0lf + 0.0lf));
+                    phi_1533_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e357.member[0][0] - _e357.member[1][0]), (_e357.member[0][1] - _e357.member[1][1]), (_e357.member[0][2] - _e357.member[1][2])), array<f64, 3>((_e357.member_1[0][0] - _e357.member_1[1][0]), (_e357.member_1[0][1] - _e357.member_1[1][1]), (_e357.member_1[0][2] - _e357.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e357.member[2][0] - _e357.member[1][0]), (_e357.member[2][1] - _e357.member[1][1]), (_e357.member[2][2] - _e357.member[1][2])), array<f64, 3>((_e357.member_1[2][0] - _e357.member_1[1][0]), (_e357.member_1[2][1] - _e357.member_1[1][1]), (_e357.member_1[2][2] - _e357.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e357.member[3][0] - _e357.member[1][0]), (_e357.member[3][1] - _e357.member[1][1]), (_e357.member[3][2] - _e357.member[1][2])), array<f64, 3>((_e357.member_1[3][0] - _e357.member_1[1][0]), (_e357.member_1[3][1] - _e357.member_1[1][1]), (_e357.member_1[3][2] - _e357.member_1[1][2]))), (0.0lf + 0.0lf));
                 }
-                let _e515 = phi_1532_;
-                let _e517 = params.member.member.member_7;
-                let _e524 = bitcast<f64>(((u64(_e517[1]) * 4294967296lu) + u64(_e517[0])));
-                let _e526 = params.member.member.member_14;
-                let _e533 = bitcast<f64>(((u64(_e526[1]) * 4294967296lu) + u64(_e526[0])));
-                let _e535 = params.member.member.member_15;
-                let _e542 = bitcast<f64>(((u64(_e535[1]) * 4294967296lu) + u64(_e535[0])));
-                let _e544 = params.member.member.member_16;
-                let _e551 = bitcast<f64>(((u64(_e544[1]) * 4294967296lu) + u64(_e544[0])));
-                let _e553 = params.member.member.member_1;
-                let _e561 = select(_e515.member[0][0], -(_e515.member[0][0]), (_e515.member[0][0] < 0.0lf));
-                let _e565 = select(_e515.member[0][1], -(_e515.member[0][1]), (_e515.member[0][1] < 0.0lf));
-                let _e567 = select(_e565, _e561, (_e561 > _e565));
-                let _e571 = select(_e515.member[0][2], -(_e515.member[0][2]), (_e515.member[0][2] < 0.0lf));
-                let _e573 = select(_e571, _e567, (_e567 > _e571));
-                let _e579 = select(_e515.member[1][0], -(_e515.member[1][0]), (_e515.member[1][0] < 0.0lf));
-                let _e583 = select(_e515.member[1][1], -(_e515.member[1][1]), (_e515.member[1][1] < 0.0lf));
-                let _e585 = select(_e583, _e579, (_e579 > _e583));
-                let _e589 = select(_e515.member[1][2], -(_e515.member[1][2]), (_e515.member[1][2] < 0.0lf));
-                let _e591 = select(_e589, _e585, (_e585 > _e589));
-                let _e595 = (select(_e591, _e573, (_e573 > _e591)) + _e515.member_3);
-                let _e601 = select(_e515.member_1[0][0], -(_e515.member_1[0][0]), (_e515.member_1[0][0] < 0.0lf));
-                let _e605 = select(_e515.member_1[0][1], -(_e515.member_1[0][1]), (_e515.member_1[0][1] < 0.0lf));
-                let _e607 = select(_e605, _e601, (_e601 > _e605));
-                let _e611 = select(_e515.member_1[0][2], -(_e515.member_1[0][2]), (_e515.member_1[0][2] < 0.0lf));
-                let _e613 = select(_e611, _e607, (_e607 > _e611));
-                let _e619 = select(_e515.member_1[1][0], -(_e515.member_1[1][0]), (_e515.member_1[1][0] < 0.0lf));
-                let _e623 = select(_e515.member_1[1][1], -(_e515.member_1[1][1]), (_e515.member_1[1][1] < 0.0lf));
-                let _e625 = select(_e623, _e619, (_e619 > _e623));
-                let _e629 = select(_e515.member_1[1][2], -(_e515.member_1[1][2]), (_e515.member_1[1][2] < 0.0lf));
-                let _e631 = select(_e629, _e625, (_e625 > _e629));
-                let _e635 = (select(_e631, _e613, (_e613 > _e631)) + _e515.member_3);
-                let _e641 = select(_e515.member_2[0][0], -(_e515.member_2[0][0]), (_e515.member_2[0][0] < 0.0lf));
-                let _e645 = select(_e515.member_2[0][1], -(_e515.member_2[0][1]), (_e515.member_2[0][1] < 0.0lf));
-                let _e647 = select(_e645, _e641, (_e641 > _e645));
-                let _e651 = select(_e515.member_2[0][2], -(_e515.member_2[0][2]), (_e515.member_2[0][2] < 0.0lf));
-                let _e653 = select(_e651, _e647, (_e647 > _e651));
-                let _e659 = select(_e515.member_2[1][0], -(_e515.member_2[1][0]), (_e515.member_2[1][0] < 0.0lf));
-                let _e663 = select(_e515.member_2[1][1], -(_e515.member_2[1][1]), (_e515.member_2[1][1] < 0.0lf));
-                let _e665 = select(_e663, _e659, (_e659 > _e663));
-                let _e669 = select(_e515.member_2[1][2], -(_e515.member_2[1][2]), (_e515.member_2[1][2] < 0.0lf));
-                let _e671 = select(_e669, _e665, (_e665 > _e669));
-                let _e675 = (select(_e671, _e653, (_e653 > _e671)) + _e515.member_3);
-                let _e677 = select(_e635, _e595, (_e595 > _e635));
-                let _e679 = select(_e675, _e677, (_e677 > _e675));
-                let _e685 = select(_e515.member[0][0], -(_e515.member[0][0]), (_e515.member[0][0] < 0.0lf));
-                let _e689 = select(_e515.member[0][1], -(_e515.member[0][1]), (_e515.member[0][1] < 0.0lf));
-                let _e691 = select(_e689, _e685, (_e685 > _e689));
-                let _e695 = select(_e515.member[0][2], -(_e515.member[0][2]), (_e515.member[0][2] < 0.0lf));
-                let _e697 = select(_e695, _e691, (_e691 > _e695));
-                let _e703 = select(_e515.member[1][0], -(_e515.member[1][0]), (_e515.member[1][0] < 0.0lf));
-                let _e707 = select(_e515.member[1][1], -(_e515.member[1][1]), (_e515.member[1][1] < 0.0lf));
-                let _e709 = select(_e707, _e703, (_e703 > _e707));
-                let _e713 = select(_e515.member[1][2], -(_e515.member[1][2]), (_e515.member[1][2] < 0.0lf));
-                let _e715 = select(_e713, _e709, (_e709 > _e713));
-                let _e719 = (select(_e715, _e697, (_e697 > _e715)) + _e515.member_3);
-                let _e725 = select(_e515.member_1[0][0], -(_e515.member_1[0][0]), (_e515.member_1[0][0] < 0.0lf));
-                let _e729 = select(_e515.member_1[0][1], -(_e515.member_1[0][1]), (_e515.member_1[0][1] < 0.0lf));
-                let _e731 = select(_e729, _e725, (_e725 > _e729));
-                let _e735 = select(_e515.member_1[0][2], -(_e515.member_1[0][2]), (_e515.member_1[0][2] < 0.0lf));
-                let _e737 = select(_e735, _e731, (_e731 > _e735));
-                let _e743 = select(_e515.member_1[1][0], -(_e515.member_1[1][0]), (_e515.member_1[1][0] < 0.0lf));
-                let _e747 = select(_e515.member_1[1][1], -(_e515.member_1[1][1]), (_e515.member_1[1][1] < 0.0lf));
-                let _e749 = select(_e747, _e743, (_e743 > _e747));
-                let _e753 = select(_e515.member_1[1][2], -(_e515.member_1[1][2]), (_e515.member_1[1][2] < 0.0lf));
-                let _e755 = select(_e753, _e749, (_e749 > _e753));
-                let _e759 = (select(_e755, _e737, (_e737 > _e755)) + _e515.member_3);
-                let _e765 = select(_e515.member_2[0][0], -(_e515.member_2[0][0]), (_e515.member_2[0][0] < 0.0lf));
-                let _e769 = select(_e515.member_2[0][1], -(_e515.member_2[0][1]), (_e515.member_2[0][1] < 0.0lf));
-                let _e771 = select(_e769, _e765, (_e765 > _e769));
-                let _e775 = select(_e515.member_2[0][2], -(_e515.member_2[0][2]), (_e515.member_2[0][2] < 0.0lf));
-                let _e777 = select(_e775, _e771, (_e771 > _e775));
-                let _e783 = select(_e515.member_2[1][0], -(_e515.member_2[1][0]), (_e515.member_2[1][0] < 0.0lf));
-                let _e787 = select(_e515.member_2[1][1], -(_e515.member_2[1][1]), (_e515.member_2[1][1] < 0.0lf));
-                let _e789 = select(_e787, _e783, (_e783 > _e787));
-                let _e793 = select(_e515.member_2[1][2], -(_e515.member_2[1][2]), (_e515.member_2[1][2] < 0.0lf));
-                let _e795 = select(_e793, _e789, (_e789 > _e793));
-                let _e799 = (select(_e795, _e777, (_e777 > _e795)) + _e515.member_3);
-                let _e801 = select(_e759, _e719, (_e719 > _e759));
-                let _e803 = select(_e799, _e801, (_e801 > _e799));
-                if (_e803 <= f64(65536f)) {
-                    phi_2029_ = (_e803 >= f64((1f / 65536f)));
+                let _e516 = phi_1533_;
+                let _e518 = params.member.member.member_7;
+                let _e525 = bitcast<f64>(((u64(_e518[1]) * 4294967296lu) + u64(_e518[0])));
+                let _e527 = params.member.member.member_14;
+                let _e534 = bitcast<f64>(((u64(_e527[1]) * 4294967296lu) + u64(_e527[0])));
+                let _e536 = params.member.member.member_15;
+                let _e543 = bitcast<f64>(((u64(_e536[1]) * 4294967296lu) + u64(_e536[0])));
+                let _e545 = params.member.member.member_16;
+                let _e552 = bitcast<f64>(((u64(_e545[1]) * 4294967296lu) + u64(_e545[0])));
+                let _e554 = params.member.member.member_1;
+                let _e562 = select(_e516.member[0][0], -(_e516.member[0][0]), (_e516.member[0][0] < 0.0lf));
+                let _e566 = select(_e516.member[0][1], -(_e516.member[0][1]), (_e516.member[0][1] < 0.0lf));
+                let _e568 = select(_e566, _e562, (_e562 > _e566));
+                let _e572 = select(_e516.member[0][2], -(_e516.member[0][2]), (_e516.member[0][2] < 0.0lf));
+                let _e574 = select(_e572, _e568, (_e568 > _e572));
+                let _e580 = select(_e516.member[1][0], -(_e516.member[1][0]), (_e516.member[1][0] < 0.0lf));
+                let _e584 = select(_e516.member[1][1], -(_e516.member[1][1]), (_e516.member[1][1] < 0.0lf));
+                let _e586 = select(_e584, _e580, (_e580 > _e584));
+                let _e590 = select(_e516.member[1][2], -(_e516.member[1][2]), (_e516.member[1][2] < 0.0lf));
+                let _e592 = select(_e590, _e586, (_e586 > _e590));
+                let _e596 = (select(_e592, _e574, (_e574 > _e592)) + _e516.member_3);
+                let _e602 = select(_e516.member_1[0][0], -(_e516.member_1[0][0]), (_e516.member_1[0][0] < 0.0lf));
+                let _e606 = select(_e516.member_1[0][1], -(_e516.member_1[0][1]), (_e516.member_1[0][1] < 0.0lf));
+                let _e608 = select(_e606, _e602, (_e602 > _e606));
+                let _e612 = select(_e516.member_1[0][2], -(_e516.member_1[0][2]), (_e516.member_1[0][2] < 0.0lf));
+                let _e614 = select(_e612, _e608, (_e608 > _e612));
+                let _e620 = select(_e516.member_1[1][0], -(_e516.member_1[1][0]), (_e516.member_1[1][0] < 0.0lf));
+                let _e624 = select(_e516.member_1[1][1], -(_e516.member_1[1][1]), (_e516.member_1[1][1] < 0.0lf));
+                let _e626 = select(_e624, _e620, (_e620 > _e624));
+                let _e630 = select(_e516.member_1[1][2], -(_e516.member_1[1][2]), (_e516.member_1[1][2] < 0.0lf));
+                let _e632 = select(_e630, _e626, (_e626 > _e630));
+                let _e636 = (select(_e632, _e614, (_e614 > _e632)) + _e516.member_3);
+                let _e642 = select(_e516.member_2[0][0], -(_e516.member_2[0][0]), (_e516.member_2[0][0] < 0.0lf));
+                let _e646 = select(_e516.member_2[0][1], -(_e516.member_2[0][1]), (_e516.member_2[0][1] < 0.0lf));
+                let _e648 = select(_e646, _e642, (_e642 > _e646));
+                let _e652 = select(_e516.member_2[0][2], -(_e516.member_2[0][2]), (_e516.member_2[0][2] < 0.0lf));
+                let _e654 = select(_e652, _e648, (_e648 > _e652));
+                let _e660 = select(_e516.member_2[1][0], -(_e516.member_2[1][0]), (_e516.member_2[1][0] < 0.0lf));
+                let _e664 = select(_e516.member_2[1][1], -(_e516.member_2[1][1]), (_e516.member_2[1][1] < 0.0lf));
+                let _e666 = select(_e664, _e660, (_e660 > _e664));
+                let _e670 = select(_e516.member_2[1][2], -(_e516.member_2[1][2]), (_e516.member_2[1][2] < 0.0lf));
+                let _e672 = select(_e670, _e666, (_e666 > _e670));
+                let _e676 = (select(_e672, _e654, (_e654 > _e672)) + _e516.member_3);
+                let _e678 = select(_e636, _e596, (_e596 > _e636));
+                let _e680 = select(_e676, _e678, (_e678 > _e676));
+                let _e686 = select(_e516.member[0][0], -(_e516.member[0][0]), (_e516.member[0][0] < 0.0lf));
+                let _e690 = select(_e516.member[0][1], -(_e516.member[0][1]), (_e516.member[0][1] < 0.0lf));
+                let _e692 = select(_e690, _e686, (_e686 > _e690));
+                let _e696 = select(_e516.member[0][2], -(_e516.member[0][2]), (_e516.member[0][2] < 0.0lf));
+                let _e698 = select(_e696, _e692, (_e692 > _e696));
+                let _e704 = select(_e516.member[1][0], -(_e516.member[1][0]), (_e516.member[1][0] < 0.0lf));
+                let _e708 = select(_e516.member[1][1], -(_e516.member[1][1]), (_e516.member[1][1] < 0.0lf));
+                let _e710 = select(_e708, _e704, (_e704 > _e708));
+                let _e714 = select(_e516.member[1][2], -(_e516.member[1][2]), (_e516.member[1][2] < 0.0lf));
+                let _e716 = select(_e714, _e710, (_e710 > _e714));
+                let _e720 = (select(_e716, _e698, (_e698 > _e716)) + _e516.member_3);
+                let _e726 = select(_e516.member_1[0][0], -(_e516.member_1[0][0]), (_e516.member_1[0][0] < 0.0lf));
+                let _e730 = select(_e516.member_1[0][1], -(_e516.member_1[0][1]), (_e516.member_1[0][1] < 0.0lf));
+                let _e732 = select(_e730, _e726, (_e726 > _e730));
+                let _e736 = select(_e516.member_1[0][2], -(_e516.member_1[0][2]), (_e516.member_1[0][2] < 0.0lf));
+                let _e738 = select(_e736, _e732, (_e732 > _e736));
+                let _e744 = select(_e516.member_1[1][0], -(_e516.member_1[1][0]), (_e516.member_1[1][0] < 0.0lf));
+                let _e748 = select(_e516.member_1[1][1], -(_e516.member_1[1][1]), (_e516.member_1[1][1] < 0.0lf));
+                let _e750 = select(_e748, _e744, (_e744 > _e748));
+                let _e754 = select(_e516.member_1[1][2], -(_e516.member_1[1][2]), (_e516.member_1[1][2] < 0.0lf));
+                let _e756 = select(_e754, _e750, (_e750 > _e754));
+                let _e760 = (select(_e756, _e738, (_e738 > _e756)) + _e516.member_3);
+                let _e766 = select(_e516.member_2[0][0], -(_e516.member_2[0][0]), (_e516.member_2[0][0] < 0.0lf));
+                let _e770 = select(_e516.member_2[0][1], -(_e516.member_2[0][1]), (_e516.member_2[0][1] < 0.0lf));
+                let _e772 = select(_e770, _e766, (_e766 > _e770));
+                let _e776 = select(_e516.member_2[0][2], -(_e516.member_2[0][2]), (_e516.member_2[0][2] < 0.0lf));
+                let _e778 = select(_e776, _e772, (_e772 > _e776));
+                let _e784 = select(_e516.member_2[1][0], -(_e516.member_2[1][0]), (_e516.member_2[1][0] < 0.0lf));
+                let _e788 = select(_e516.member_2[1][1], -(_e516.member_2[1][1]), (_e516.member_2[1][1] < 0.0lf));
+                let _e790 = select(_e788, _e784, (_e784 > _e788));
+                let _e794 = select(_e516.member_2[1][2], -(_e516.member_2[1][2]), (_e516.member_2[1][2] < 0.0lf));
+                let _e796 = select(_e794, _e790, (_e790 > _e794));
+                let _e800 = (select(_e796, _e778, (_e778 > _e796)) + _e516.member_3);
+                let _e802 = select(_e760, _e720, (_e720 > _e760));
+                let _e804 = select(_e800, _e802, (_e802 > _e800));
+                if (_e804 <= f64(65536f)) {
+                    phi_2030_ = (_e804 >= f64((1f / 65536f)));
                 } else {
-                    phi_2029_ = false;
+                    phi_2030_ = false;
                 }
-                let _e810 = phi_2029_;
-                if _e810 {
-                    phi_2129_ = type_36();
-                    phi_2130_ = true;
+                let _e811 = phi_2030_;
+                if _e811 {
+                    phi_2130_ = type_36();
+                    phi_2131_ = true;
                 } else {
-                    if (_e679 >= 2.2250738585072014e-308lf) {
-                        if ((bitcast<u64>(_e679) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e817 = (9214364837600034816lu - (bitcast<u64>(_e679) & 9218868437227405312lu));
-                            let _e820 = bitcast<f64>(select(4503599627370496lu, _e817, (_e817 > 4503599627370496lu)));
-                            let _e821 = (_e524 * _e820);
-                            phi_2125_ = type_36(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e515.member[0][0] * _e820), (_e515.member[0][1] * _e820), (_e515.member[0][2] * _e820)), array<f64, 3>((_e515.member[1][0] * _e820), (_e515.member[1][1] * _e820), (_e515.member[1][2] * _e820))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_1[0][0] * _e820), (_e515.member_1[0][1] * _e820), (_e515.member_1[0][2] * _e820)), array<f64, 3>((_e515.member_1[1][0] * _e820), (_e515.member_1[1][1] * _e820), (_e515.member_1[1][2] * _e820))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_2[0][0] * _e820), (_e515.member_2[0][1] * _e820), (_e515.member_2[0][2] * _e820)), array<f64, 3>((_e515.member_2[1][0] * _e820), (_e515.member_2[1][1] * _e820), (_e515.member_2[1][2] * _e820))), ((_e515.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e820)), select(_e821, select(2.2250738585072014e-308lf, _e821, (_e821 > 2.2250738585072014e-308lf)), (_e524 > f64(0f))));
-                            phi_2126_ = false;
+                    if (_e680 >= 2.2250738585072014e-308lf) {
+                        if ((bitcast<u64>(_e680) & 9218868437227405312lu) != 9218868437227405312lu) {
+                            let _e818 = (9214364837600034816lu - (bitcast<u64>(_e680) & 9218868437227405312lu));
+                            let _e821 = bitcast<f64>(select(4503599627370496lu, _e818, (_e818 > 4503599627370496lu)));
+                            let _e822 = (_e525 * _e821);
+                            phi_2126_ = type_36(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e516.member[0][0] * _e821), (_e516.member[0][1] * _e821), (_e516.member[0][2] * _e821)), array<f64, 3>((_e516.member[1][0] * _e821), (_e516.member[1][1] * _e821), (_e516.member[1][2] * _e821))), array<array<f64, 3>, 2>(array<f64, 3>((_e516.member_1[0][0] * _e821), (_e516.member_1[0][1] * _e821), (_e516.member_1[0][2] * _e821)), array<f64, 3>((_e516.member_1[1][0] * _e821), (_e516.member_1[1][1] * _e821), (_e516.member_1[1][2] * _e821))), array<array<f64, 3>, 2>(array<f64, 3>((_e516.member_2[0][0] * _e821), (_e516.member_2[0][1] * _e821), (_e516.member_2[0][2] * _e821)), array<f64, 3>((_e516.member_2[1][0] * _e821), (_e516.member_2[1][1] * _e821), (_e516.member_2[1][2] * _e821))), ((_e516.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e821)), select(_e822, select(2.2250738585072014e-308lf, _e822, (_e822 > 2.2250738585072014e-308lf)), (_e525 > f64(0f))));
+                            phi_2127_ = false;
                         } else {
-                            phi_2125_ = type_36();
-                            phi_2126_ = true;
+                            phi_2126_ = type_36();
+                            phi_2127_ = true;
                         }
-                        let _e892 = phi_2125_;
-                        let _e894 = phi_2126_;
-                        phi_2127_ = _e892;
-                        phi_2128_ = _e894;
+                        let _e893 = phi_2126_;
+                        let _e895 = phi_2127_;
+                        phi_2128_ = _e893;
+                        phi_2129_ = _e895;
                     } else {
-                        phi_2127_ = type_36();
-                        phi_2128_ = true;
+                        phi_2128_ = type_36();
+                        phi_2129_ = true;
                     }
-                    let _e896 = phi_2127_;
-                    let _e898 = phi_2128_;
-                    phi_2129_ = _e896;
-                    phi_2130_ = _e898;
+                    let _e897 = phi_2128_;
+                    let _e899 = phi_2129_;
+                    phi_2130_ = _e897;
+                    phi_2131_ = _e899;
                 }
-                let _e900 = phi_2129_;
-                let _e902 = phi_2130_;
-                if _e902 {
-                    phi_2135_ = type_36(_e515, _e524);
+                let _e901 = phi_2130_;
+                let _e903 = phi_2131_;
+                if _e903 {
+                    phi_2136_ = type_36(_e516, _e525);
                 } else {
-                    phi_2135_ = _e900;
+                    phi_2136_ = _e901;
                 }
-                let _e905 = phi_2135_;
-                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e905.member.member[0][0], _e905.member.member[0][1], _e905.member.member[0][2]), array<f64, 3>(_e905.member.member[1][0], _e905.member.member[1][1], _e905.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e905.member.member_1[0][0], _e905.member.member_1[0][1], _e905.member.member_1[0][2]), array<f64, 3>(_e905.member.member_1[1][0], _e905.member.member_1[1][1], _e905.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e905.member.member_2[0][0], _e905.member.member_2[0][1], _e905.member.member_2[0][2]), array<f64, 3>(_e905.member.member_2[1][0], _e905.member.member_2[1][1], _e905.member.member_2[1][2])), _e905.member.member_3);
-                let _e948 = local_5.member[0u];
-                let _e954 = local_5.member[1u];
-                let _e970 = local_5.member_1[0u];
-                let _e976 = local_5.member_1[1u];
-                let _e992 = local_5.member_2[0u];
-                let _e998 = local_5.member_2[1u];
-                let _e1012 = function_4(array<f64, 3>((_e948[0] + ((_e954[0] - _e948[0]) * _e542)), (_e948[1] + ((_e954[1] - _e948[1]) * _e542)), (_e948[2] + ((_e954[2] - _e948[2]) * _e542))), array<f64, 3>((_e970[0] + ((_e976[0] - _e970[0]) * _e542)), (_e970[1] + ((_e976[1] - _e970[1]) * _e542)), (_e970[2] + ((_e976[2] - _e970[2]) * _e542))), array<f64, 3>((_e992[0] + ((_e998[0] - _e992[0]) * _e542)), (_e992[1] + ((_e998[1] - _e992[1]) * _e542)), (_e992[2] + ((_e998[2] - _e992[2]) * _e542))), _e230.member);
-                let _e1023 = (((_e1012[0] * _e1012[0]) + (_e1012[1] * _e1012[1])) + (_e1012[2] * _e1012[2]));
-                if (_e1023 <= 2.2250738585072014e-308lf) {
-                    phi_2362_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1023 > 0.0lf));
+                let _e906 = phi_2136_;
+                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e906.member.member[0][0], _e906.member.member[0][1], _e906.member.member[0][2]), array<f64, 3>(_e906.member.member[1][0], _e906.member.member[1][1], _e906.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e906.member.member_1[0][0], _e906.member.member_1[0][1], _e906.member.member_1[0][2]), array<f64, 3>(_e906.member.member_1[1][0], _e906.member.member_1[1][1], _e906.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e906.member.member_2[0][0], _e906.member.member_2[0][1], _e906.member.member_2[0][2]), array<f64, 3>(_e906.member.member_2[1][0], _e906.member.member_2[1][1], _e906.member.member_2[1][2])), _e906.member.member_3);
+                let _e949 = local_5.member[0u];
+                let _e955 = local_5.member[1u];
+                let _e971 = local_5.member_1[0u];
+                let _e977 = local_5.member_1[1u];
+                let _e993 = local_5.member_2[0u];
+                let _e999 = local_5.member_2[1u];
+                let _e1013 = function_4(array<f64, 3>((_e949[0] + ((_e955[0] - _e949[0]) * _e543)), (_e949[1] + ((_e955[1] - _e949[1]) * _e543)), (_e949[2] + ((_e955[2] - _e949[2]) * _e543))), array<f64, 3>((_e971[0] + ((_e977[0] - _e971[0]) * _e543)), (_e971[1] + ((_e977[1] - _e971[1]) * _e543)), (_e971[2] + ((_e977[2] - _e971[2]) * _e543))), array<f64, 3>((_e993[0] + ((_e999[0] - _e993[0]) * _e543)), (_e993[1] + ((_e999[1] - _e993[1]) * _e543)), (_e993[2] + ((_e999[2] - _e993[2]) * _e543))), _e231.member);
+                let _e1024 = (((_e1013[0] * _e1013[0]) + (_e1013[1] * _e1013[1])) + (_e1013[2] * _e1013[2]));
+                if (_e1024 <= 2.2250738585072014e-308lf) {
+                    phi_2363_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1024 > 0.0lf));
                 } else {
-                    phi_2305_ = type_16(0i, 5i);
-                    phi_2308_ = bitcast<f64>(((bitcast<u64>(_e1023) / 2lu) + 2303426169912950784lu));
+                    phi_2306_ = type_16(0i, 5i);
+                    phi_2309_ = bitcast<f64>(((bitcast<u64>(_e1024) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e1030 = phi_2305_;
-                        let _e1032 = phi_2308_;
-                        local_7 = _e1032;
-                        if (_e1030.member < _e1030.member_1) {
-                            let _e1039 = (_e1030.member + 1i);
-                            phi_2306_ = type_16(select(_e1039, type_17().member_1, select(false, true, ((false == (_e1039 > _e1030.member)) != false))), _e1030.member_1);
-                            phi_2349_ = type_17(1u, _e1030.member);
+                        let _e1031 = phi_2306_;
+                        let _e1033 = phi_2309_;
+                        local_7 = _e1033;
+                        if (_e1031.member < _e1031.member_1) {
+                            let _e1040 = (_e1031.member + 1i);
+                            phi_2307_ = type_16(select(_e1040, type_17().member_1, select(false, true, ((false == (_e1040 > _e1031.member)) != false))), _e1031.member_1);
+                            phi_2350_ = type_17(1u, _e1031.member);
                         } else {
-                            phi_2306_ = _e1030;
-                            phi_2349_ = type_17(0u, type_17().member_1);
+                            phi_2307_ = _e1031;
+                            phi_2350_ = type_17(0u, type_17().member_1);
                         }
-                        let _e1050 = phi_2306_;
-                        let _e1052 = phi_2349_;
-                        let _e1055 = (bitcast<i32>(_e1052.member) != 0i);
-                        if _e1055 {
-                            phi_2309_ = (0.5lf * (_e1032 + (_e1023 / _e1032)));
+                        let _e1051 = phi_2307_;
+                        let _e1053 = phi_2350_;
+                        let _e1056 = (bitcast<i32>(_e1053.member) != 0i);
+                        if _e1056 {
+                            phi_2310_ = (0.5lf * (_e1033 + (_e1024 / _e1033)));
                         } else {
-                            phi_2309_ = f64();
+                            phi_2310_ = f64();
                         }
-                        let _e1060 = phi_2309_;
+                        let _e1061 = phi_2310_;
                         continue;
                         continuing {
-                            phi_2305_ = _e1050;
-                            phi_2308_ = _e1060;
-                            break if !(_e1055);
+                            phi_2306_ = _e1051;
+                            phi_2309_ = _e1061;
+                            break if !(_e1056);
                         }
                     }
-                    let _e1065 = local_7;
-                    phi_2362_ = (_e1065 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e1066 = local_7;
+                    phi_2363_ = (_e1066 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e1071 = phi_2362_;
-                let _e1079 = local_5.member[0u];
-                let _e1085 = select(_e1079[0], -(_e1079[0]), (_e1079[0] < 0.0lf));
-                let _e1088 = select(_e1079[1], -(_e1079[1]), (_e1079[1] < 0.0lf));
-                let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
-                let _e1093 = select(_e1079[2], -(_e1079[2]), (_e1079[2] < 0.0lf));
-                let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
-                let _e1098 = local_5.member[1u];
-                let _e1104 = select(_e1098[0], -(_e1098[0]), (_e1098[0] < 0.0lf));
-                let _e1107 = select(_e1098[1], -(_e1098[1]), (_e1098[1] < 0.0lf));
-                let _e1109 = select(_e1107, _e1104, (_e1104 > _e1107));
-                let _e1112 = select(_e1098[2], -(_e1098[2]), (_e1098[2] < 0.0lf));
-                let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
-                let _e1118 = local_5.member_3;
-                let _e1122 = local_5.member_1[0u];
-                let _e1128 = select(_e1122[0], -(_e1122[0]), (_e1122[0] < 0.0lf));
-                let _e1131 = select(_e1122[1], -(_e1122[1]), (_e1122[1] < 0.0lf));
-                let _e1133 = select(_e1131, _e1128, (_e1128 > _e1131));
-                let _e1136 = select(_e1122[2], -(_e1122[2]), (_e1122[2] < 0.0lf));
-                let _e1138 = select(_e1136, _e1133, (_e1133 > _e1136));
-                let _e1141 = local_5.member_1[1u];
-                let _e1147 = select(_e1141[0], -(_e1141[0]), (_e1141[0] < 0.0lf));
-                let _e1150 = select(_e1141[1], -(_e1141[1]), (_e1141[1] < 0.0lf));
-                let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
-                let _e1155 = select(_e1141[2], -(_e1141[2]), (_e1141[2] < 0.0lf));
-                let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
-                let _e1161 = local_5.member_3;
-                let _e1165 = local_5.member_2[0u];
-                let _e1171 = select(_e1165[0], -(_e1165[0]), (_e1165[0] < 0.0lf));
-                let _e1174 = select(_e1165[1], -(_e1165[1]), (_e1165[1] < 0.0lf));
-                let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
-                let _e1179 = select(_e1165[2], -(_e1165[2]), (_e1165[2] < 0.0lf));
-                let _e1181 = select(_e1179, _e1176, (_e1176 > _e1179));
-                let _e1184 = local_5.member_2[1u];
-                let _e1190 = select(_e1184[0], -(_e1184[0]), (_e1184[0] < 0.0lf));
-                let _e1193 = select(_e1184[1], -(_e1184[1]), (_e1184[1] < 0.0lf));
-                let _e1195 = select(_e1193, _e1190, (_e1190 > _e1193));
-                let _e1198 = select(_e1184[2], -(_e1184[2]), (_e1184[2] < 0.0lf));
-                let _e1200 = select(_e1198, _e1195, (_e1195 > _e1198));
-                let _e1204 = local_5.member_3;
-                let _e1212 = local_5.member_3;
-                let _e1222 = (((_e1071 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e1114, _e1095, (_e1095 > _e1114)) + _e1118) + (select(_e1157, _e1138, (_e1138 > _e1157)) + _e1161)) + (select(_e1200, _e1181, (_e1181 > _e1200)) + _e1204)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1212 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e905.member_1);
-                if _e1222 {
-                    phi_3291_ = type_38();
-                    phi_3292_ = true;
+                let _e1072 = phi_2363_;
+                let _e1080 = local_5.member[0u];
+                let _e1086 = select(_e1080[0], -(_e1080[0]), (_e1080[0] < 0.0lf));
+                let _e1089 = select(_e1080[1], -(_e1080[1]), (_e1080[1] < 0.0lf));
+                let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
+                let _e1094 = select(_e1080[2], -(_e1080[2]), (_e1080[2] < 0.0lf));
+                let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
+                let _e1099 = local_5.member[1u];
+                let _e1105 = select(_e1099[0], -(_e1099[0]), (_e1099[0] < 0.0lf));
+                let _e1108 = select(_e1099[1], -(_e1099[1]), (_e1099[1] < 0.0lf));
+                let _e1110 = select(_e1108, _e1105, (_e1105 > _e1108));
+                let _e1113 = select(_e1099[2], -(_e1099[2]), (_e1099[2] < 0.0lf));
+                let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
+                let _e1119 = local_5.member_3;
+                let _e1123 = local_5.member_1[0u];
+                let _e1129 = select(_e1123[0], -(_e1123[0]), (_e1123[0] < 0.0lf));
+                let _e1132 = select(_e1123[1], -(_e1123[1]), (_e1123[1] < 0.0lf));
+                let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
+                let _e1137 = select(_e1123[2], -(_e1123[2]), (_e1123[2] < 0.0lf));
+                let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
+                let _e1142 = local_5.member_1[1u];
+                let _e1148 = select(_e1142[0], -(_e1142[0]), (_e1142[0] < 0.0lf));
+                let _e1151 = select(_e1142[1], -(_e1142[1]), (_e1142[1] < 0.0lf));
+                let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
+                let _e1156 = select(_e1142[2], -(_e1142[2]), (_e1142[2] < 0.0lf));
+                let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
+                let _e1162 = local_5.member_3;
+                let _e1166 = local_5.member_2[0u];
+                let _e1172 = select(_e1166[0], -(_e1166[0]), (_e1166[0] < 0.0lf));
+                let _e1175 = select(_e1166[1], -(_e1166[1]), (_e1166[1] < 0.0lf));
+                let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
+                let _e1180 = select(_e1166[2], -(_e1166[2]), (_e1166[2] < 0.0lf));
+                let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
+                let _e1185 = local_5.member_2[1u];
+                let _e1191 = select(_e1185[0], -(_e1185[0]), (_e1185[0] < 0.0lf));
+                let _e1194 = select(_e1185[1], -(_e1185[1]), (_e1185[1] < 0.0lf));
+                let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
+                let _e1199 = select(_e1185[2], -(_e1185[2]), (_e1185[2] < 0.0lf));
+                let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
+                let _e1205 = local_5.member_3;
+                let _e1213 = local_5.member_3;
+                let _e1223 = (((_e1072 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e1115, _e1096, (_e1096 > _e1115)) + _e1119) + (select(_e1158, _e1139, (_e1139 > _e1158)) + _e1162)) + (select(_e1201, _e1182, (_e1182 > _e1201)) + _e1205)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1213 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e906.member_1);
+                if _e1223 {
+                    phi_3292_ = type_38();
+                    phi_3293_ = true;
                 } else {
-                    let _e1225 = local_5.member_1[0u];
-                    let _e1231 = local_5.member_2[0u];
-                    let _e1237 = ((_e1225[1] * _e1231[2]) - (_e1225[2] * _e1231[1]));
-                    let _e1240 = ((_e1225[2] * _e1231[0]) - (_e1225[0] * _e1231[2]));
-                    let _e1243 = ((_e1225[0] * _e1231[1]) - (_e1225[1] * _e1231[0]));
-                    let _e1246 = local_5.member_1[1u];
-                    let _e1252 = local_5.member_2[1u];
-                    let _e1258 = ((_e1246[1] * _e1252[2]) - (_e1246[2] * _e1252[1]));
-                    let _e1261 = ((_e1246[2] * _e1252[0]) - (_e1246[0] * _e1252[2]));
-                    let _e1264 = ((_e1246[0] * _e1252[1]) - (_e1246[1] * _e1252[0]));
-                    let _e1267 = local_5.member_1[0u];
-                    let _e1273 = local_5.member_2[1u];
-                    let _e1288 = local_5.member_1[1u];
-                    let _e1294 = local_5.member_2[0u];
-                    let _e1307 = (((_e1267[1] * _e1273[2]) - (_e1267[2] * _e1273[1])) + ((_e1288[1] * _e1294[2]) - (_e1288[2] * _e1294[1])));
-                    let _e1308 = (((_e1267[2] * _e1273[0]) - (_e1267[0] * _e1273[2])) + ((_e1288[2] * _e1294[0]) - (_e1288[0] * _e1294[2])));
-                    let _e1309 = (((_e1267[0] * _e1273[1]) - (_e1267[1] * _e1273[0])) + ((_e1288[0] * _e1294[1]) - (_e1288[1] * _e1294[0])));
-                    let _e1312 = local_5.member[0u];
-                    let _e1323 = local_5.member[1u];
-                    let _e1334 = local_5.member[0u];
-                    let _e1343 = ((((_e1323[0] * _e1237) + (_e1323[1] * _e1240)) + (_e1323[2] * _e1243)) + (((_e1334[0] * _e1307) + (_e1334[1] * _e1308)) + (_e1334[2] * _e1309)));
-                    let _e1346 = local_5.member[0u];
-                    let _e1357 = local_5.member[1u];
-                    let _e1366 = ((((_e1346[0] * _e1258) + (_e1346[1] * _e1261)) + (_e1346[2] * _e1264)) + (((_e1357[0] * _e1307) + (_e1357[1] * _e1308)) + (_e1357[2] * _e1309)));
-                    let _e1369 = local_5.member[1u];
-                    let _e1380 = local_5.member[0u];
-                    let _e1386 = select(_e1380[0], -(_e1380[0]), (_e1380[0] < 0.0lf));
-                    let _e1389 = select(_e1380[1], -(_e1380[1]), (_e1380[1] < 0.0lf));
-                    let _e1391 = select(_e1389, _e1386, (_e1386 > _e1389));
-                    let _e1394 = select(_e1380[2], -(_e1380[2]), (_e1380[2] < 0.0lf));
-                    let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
-                    let _e1399 = local_5.member[1u];
-                    let _e1405 = select(_e1399[0], -(_e1399[0]), (_e1399[0] < 0.0lf));
-                    let _e1408 = select(_e1399[1], -(_e1399[1]), (_e1399[1] < 0.0lf));
-                    let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
-                    let _e1413 = select(_e1399[2], -(_e1399[2]), (_e1399[2] < 0.0lf));
-                    let _e1415 = select(_e1413, _e1410, (_e1410 > _e1413));
-                    let _e1419 = local_5.member_3;
-                    let _e1420 = (select(_e1415, _e1396, (_e1396 > _e1415)) + _e1419);
-                    let _e1423 = local_5.member_1[0u];
-                    let _e1429 = select(_e1423[0], -(_e1423[0]), (_e1423[0] < 0.0lf));
-                    let _e1432 = select(_e1423[1], -(_e1423[1]), (_e1423[1] < 0.0lf));
-                    let _e1434 = select(_e1432, _e1429, (_e1429 > _e1432));
-                    let _e1437 = select(_e1423[2], -(_e1423[2]), (_e1423[2] < 0.0lf));
-                    let _e1439 = select(_e1437, _e1434, (_e1434 > _e1437));
-                    let _e1442 = local_5.member_1[1u];
-                    let _e1448 = select(_e1442[0], -(_e1442[0]), (_e1442[0] < 0.0lf));
-                    let _e1451 = select(_e1442[1], -(_e1442[1]), (_e1442[1] < 0.0lf));
-                    let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
-                    let _e1456 = select(_e1442[2], -(_e1442[2]), (_e1442[2] < 0.0lf));
-                    let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
-                    let _e1462 = local_5.member_3;
-                    let _e1463 = (select(_e1458, _e1439, (_e1439 > _e1458)) + _e1462);
-                    let _e1466 = local_5.member_2[0u];
-                    let _e1472 = select(_e1466[0], -(_e1466[0]), (_e1466[0] < 0.0lf));
-                    let _e1475 = select(_e1466[1], -(_e1466[1]), (_e1466[1] < 0.0lf));
-                    let _e1477 = select(_e1475, _e1472, (_e1472 > _e1475));
-                    let _e1480 = select(_e1466[2], -(_e1466[2]), (_e1466[2] < 0.0lf));
-                    let _e1482 = select(_e1480, _e1477, (_e1477 > _e1480));
-                    let _e1485 = local_5.member_2[1u];
-                    let _e1491 = select(_e1485[0], -(_e1485[0]), (_e1485[0] < 0.0lf));
-                    let _e1494 = select(_e1485[1], -(_e1485[1]), (_e1485[1] < 0.0lf));
-                    let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
-                    let _e1499 = select(_e1485[2], -(_e1485[2]), (_e1485[2] < 0.0lf));
-                    let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
-                    let _e1505 = local_5.member_3;
-                    let _e1506 = (select(_e1501, _e1482, (_e1482 > _e1501)) + _e1505);
-                    let _e1507 = f64(1f);
-                    let _e1508 = f64(8f);
-                    let _e1510 = ((_e1463 * _e1508) * _e1506);
-                    let _e1518 = local_5.member_3;
-                    let _e1545 = ((select(_e1237, -(_e1237), (_e1237 < 0.0lf)) + select(_e1240, -(_e1240), (_e1240 < 0.0lf))) + select(_e1243, -(_e1243), (_e1243 < 0.0lf)));
-                    let _e1556 = ((select(_e1258, -(_e1258), (_e1258 < 0.0lf)) + select(_e1261, -(_e1261), (_e1261 < 0.0lf))) + select(_e1264, -(_e1264), (_e1264 < 0.0lf)));
-                    let _e1558 = select(_e1556, _e1545, (_e1545 > _e1556));
-                    let _e1570 = (((select(_e1307, -(_e1307), (_e1307 < 0.0lf)) + select(_e1308, -(_e1308), (_e1308 < 0.0lf))) + select(_e1309, -(_e1309), (_e1309 < 0.0lf))) * f64(0.5f));
-                    let _e1578 = local_5.member_3;
-                    let _e1593 = f64(3f);
-                    let _e1594 = ((((_e1312[0] * _e1237) + (_e1312[1] * _e1240)) + (_e1312[2] * _e1243)) * _e1593);
-                    let _e1595 = ((((_e1369[0] * _e1258) + (_e1369[1] * _e1261)) + (_e1369[2] * _e1264)) * _e1593);
-                    let _e1597 = select(_e1595, _e1594, (_e1594 < _e1595));
-                    let _e1599 = select(_e1366, _e1343, (_e1343 < _e1366));
-                    let _e1601 = select(_e1599, _e1597, (_e1597 < _e1599));
-                    let _e1603 = select(_e1595, _e1594, (_e1594 > _e1595));
-                    let _e1605 = select(_e1366, _e1343, (_e1343 > _e1366));
-                    let _e1608 = -(select(_e1605, _e1603, (_e1603 > _e1605)));
-                    if ((select(_e1608, _e1601, (_e1601 > _e1608)) - ((((((_e1420 * _e1508) * _e1510) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1518 * f64(19f)) * ((_e1420 * (_e1463 + _e1506)) + (_e1463 * _e1506)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1507 + _e1420) * ((_e1507 + _e1463) * (_e1507 + _e1506))))) + ((_e905.member_1 * (((select(_e1570, _e1558, (_e1558 > _e1570)) + (_e1510 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1578 * f64(6f)) * (_e1463 + _e1506))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1507 + _e1463) * (_e1507 + _e1506))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                        phi_3289_ = type_38(type_37(0u, f64()), 0u);
-                        phi_3290_ = false;
+                    let _e1226 = local_5.member_1[0u];
+                    let _e1232 = local_5.member_2[0u];
+                    let _e1238 = ((_e1226[1] * _e1232[2]) - (_e1226[2] * _e1232[1]));
+                    let _e1241 = ((_e1226[2] * _e1232[0]) - (_e1226[0] * _e1232[2]));
+                    let _e1244 = ((_e1226[0] * _e1232[1]) - (_e1226[1] * _e1232[0]));
+                    let _e1247 = local_5.member_1[1u];
+                    let _e1253 = local_5.member_2[1u];
+                    let _e1259 = ((_e1247[1] * _e1253[2]) - (_e1247[2] * _e1253[1]));
+                    let _e1262 = ((_e1247[2] * _e1253[0]) - (_e1247[0] * _e1253[2]));
+                    let _e1265 = ((_e1247[0] * _e1253[1]) - (_e1247[1] * _e1253[0]));
+                    let _e1268 = local_5.member_1[0u];
+                    let _e1274 = local_5.member_2[1u];
+                    let _e1289 = local_5.member_1[1u];
+                    let _e1295 = local_5.member_2[0u];
+                    let _e1308 = (((_e1268[1] * _e1274[2]) - (_e1268[2] * _e1274[1])) + ((_e1289[1] * _e1295[2]) - (_e1289[2] * _e1295[1])));
+                    let _e1309 = (((_e1268[2] * _e1274[0]) - (_e1268[0] * _e1274[2])) + ((_e1289[2] * _e1295[0]) - (_e1289[0] * _e1295[2])));
+                    let _e1310 = (((_e1268[0] * _e1274[1]) - (_e1268[1] * _e1274[0])) + ((_e1289[0] * _e1295[1]) - (_e1289[1] * _e1295[0])));
+                    let _e1313 = local_5.member[0u];
+                    let _e1324 = local_5.member[1u];
+                    let _e1335 = local_5.member[0u];
+                    let _e1344 = ((((_e1324[0] * _e1238) + (_e1324[1] * _e1241)) + (_e1324[2] * _e1244)) + (((_e1335[0] * _e1308) + (_e1335[1] * _e1309)) + (_e1335[2] * _e1310)));
+                    let _e1347 = local_5.member[0u];
+                    let _e1358 = local_5.member[1u];
+                    let _e1367 = ((((_e1347[0] * _e1259) + (_e1347[1] * _e1262)) + (_e1347[2] * _e1265)) + (((_e1358[0] * _e1308) + (_e1358[1] * _e1309)) + (_e1358[2] * _e1310)));
+                    let _e1370 = local_5.member[1u];
+                    let _e1381 = local_5.member[0u];
+                    let _e1387 = select(_e1381[0], -(_e1381[0]), (_e1381[0] < 0.0lf));
+                    let _e1390 = select(_e1381[1], -(_e1381[1]), (_e1381[1] < 0.0lf));
+                    let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                    let _e1395 = select(_e1381[2], -(_e1381[2]), (_e1381[2] < 0.0lf));
+                    let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
+                    let _e1400 = local_5.member[1u];
+                    let _e1406 = select(_e1400[0], -(_e1400[0]), (_e1400[0] < 0.0lf));
+                    let _e1409 = select(_e1400[1], -(_e1400[1]), (_e1400[1] < 0.0lf));
+                    let _e1411 = select(_e1409, _e1406, (_e1406 > _e1409));
+                    let _e1414 = select(_e1400[2], -(_e1400[2]), (_e1400[2] < 0.0lf));
+                    let _e1416 = select(_e1414, _e1411, (_e1411 > _e1414));
+                    let _e1420 = local_5.member_3;
+                    let _e1421 = (select(_e1416, _e1397, (_e1397 > _e1416)) + _e1420);
+                    let _e1424 = local_5.member_1[0u];
+                    let _e1430 = select(_e1424[0], -(_e1424[0]), (_e1424[0] < 0.0lf));
+                    let _e1433 = select(_e1424[1], -(_e1424[1]), (_e1424[1] < 0.0lf));
+                    let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
+                    let _e1438 = select(_e1424[2], -(_e1424[2]), (_e1424[2] < 0.0lf));
+                    let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
+                    let _e1443 = local_5.member_1[1u];
+                    let _e1449 = select(_e1443[0], -(_e1443[0]), (_e1443[0] < 0.0lf));
+                    let _e1452 = select(_e1443[1], -(_e1443[1]), (_e1443[1] < 0.0lf));
+                    let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
+                    let _e1457 = select(_e1443[2], -(_e1443[2]), (_e1443[2] < 0.0lf));
+                    let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
+                    let _e1463 = local_5.member_3;
+                    let _e1464 = (select(_e1459, _e1440, (_e1440 > _e1459)) + _e1463);
+                    let _e1467 = local_5.member_2[0u];
+                    let _e1473 = select(_e1467[0], -(_e1467[0]), (_e1467[0] < 0.0lf));
+                    let _e1476 = select(_e1467[1], -(_e1467[1]), (_e1467[1] < 0.0lf));
+                    let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
+                    let _e1481 = select(_e1467[2], -(_e1467[2]), (_e1467[2] < 0.0lf));
+                    let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                    let _e1486 = local_5.member_2[1u];
+                    let _e1492 = select(_e1486[0], -(_e1486[0]), (_e1486[0] < 0.0lf));
+                    let _e1495 = select(_e1486[1], -(_e1486[1]), (_e1486[1] < 0.0lf));
+                    let _e1497 = select(_e1495, _e1492, (_e1492 > _e1495));
+                    let _e1500 = select(_e1486[2], -(_e1486[2]), (_e1486[2] < 0.0lf));
+                    let _e1502 = select(_e1500, _e1497, (_e1497 > _e1500));
+                    let _e1506 = local_5.member_3;
+                    let _e1507 = (select(_e1502, _e1483, (_e1483 > _e1502)) + _e1506);
+                    let _e1508 = f64(1f);
+                    let _e1509 = f64(8f);
+                    let _e1511 = ((_e1464 * _e1509) * _e1507);
+                    let _e1519 = local_5.member_3;
+                    let _e1546 = ((select(_e1238, -(_e1238), (_e1238 < 0.0lf)) + select(_e1241, -(_e1241), (_e1241 < 0.0lf))) + select(_e1244, -(_e1244), (_e1244 < 0.0lf)));
+                    let _e1557 = ((select(_e1259, -(_e1259), (_e1259 < 0.0lf)) + select(_e1262, -(_e1262), (_e1262 < 0.0lf))) + select(_e1265, -(_e1265), (_e1265 < 0.0lf)));
+                    let _e1559 = select(_e1557, _e1546, (_e1546 > _e1557));
+                    let _e1571 = (((select(_e1308, -(_e1308), (_e1308 < 0.0lf)) + select(_e1309, -(_e1309), (_e1309 < 0.0lf))) + select(_e1310, -(_e1310), (_e1310 < 0.0lf))) * f64(0.5f));
+                    let _e1579 = local_5.member_3;
+                    let _e1594 = f64(3f);
+                    let _e1595 = ((((_e1313[0] * _e1238) + (_e1313[1] * _e1241)) + (_e1313[2] * _e1244)) * _e1594);
+                    let _e1596 = ((((_e1370[0] * _e1259) + (_e1370[1] * _e1262)) + (_e1370[2] * _e1265)) * _e1594);
+                    let _e1598 = select(_e1596, _e1595, (_e1595 < _e1596));
+                    let _e1600 = select(_e1367, _e1344, (_e1344 < _e1367));
+                    let _e1602 = select(_e1600, _e1598, (_e1598 < _e1600));
+                    let _e1604 = select(_e1596, _e1595, (_e1595 > _e1596));
+                    let _e1606 = select(_e1367, _e1344, (_e1344 > _e1367));
+                    let _e1609 = -(select(_e1606, _e1604, (_e1604 > _e1606)));
+                    if ((select(_e1609, _e1602, (_e1602 > _e1609)) - ((((((_e1421 * _e1509) * _e1511) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1519 * f64(19f)) * ((_e1421 * (_e1464 + _e1507)) + (_e1464 * _e1507)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1508 + _e1421) * ((_e1508 + _e1464) * (_e1508 + _e1507))))) + ((_e906.member_1 * (((select(_e1571, _e1559, (_e1559 > _e1571)) + (_e1511 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1579 * f64(6f)) * (_e1464 + _e1507))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1508 + _e1464) * (_e1508 + _e1507))))) * f64((3f * 1.0001f))))) > f64(0f)) {
+                        phi_3290_ = type_38(type_37(0u, f64()), 0u);
+                        phi_3291_ = false;
                     } else {
-                        phi_3289_ = type_38();
-                        phi_3290_ = true;
+                        phi_3290_ = type_38();
+                        phi_3291_ = true;
                     }
-                    let _e1622 = phi_3289_;
-                    let _e1624 = phi_3290_;
-                    phi_3291_ = _e1622;
-                    phi_3292_ = _e1624;
+                    let _e1623 = phi_3290_;
+                    let _e1625 = phi_3291_;
+                    phi_3292_ = _e1623;
+                    phi_3293_ = _e1625;
                 }
-                let _e1626 = phi_3291_;
-                let _e1628 = phi_3292_;
-                if _e1628 {
-                    phi_3298_ = type_16(0i, 2i);
-                    phi_3301_ = _e542;
-                    phi_3303_ = 0u;
-                    phi_3305_ = _e542;
+                let _e1627 = phi_3292_;
+                let _e1629 = phi_3293_;
+                if _e1629 {
+                    phi_3299_ = type_16(0i, 2i);
+                    phi_3302_ = _e543;
+                    phi_3304_ = 0u;
+                    phi_3306_ = _e543;
                     loop {
-                        let _e1630 = phi_3298_;
-                        let _e1632 = phi_3301_;
-                        let _e1634 = phi_3303_;
-                        let _e1636 = phi_3305_;
-                        local_54 = _e1634;
-                        local_57 = _e1632;
-                        local_58 = _e1634;
-                        if (_e1630.member < _e1630.member_1) {
-                            let _e1643 = (_e1630.member + 1i);
-                            phi_3299_ = type_16(select(_e1643, type_17().member_1, select(false, true, ((false == (_e1643 > _e1630.member)) != false))), _e1630.member_1);
-                            phi_3346_ = type_17(1u, _e1630.member);
+                        let _e1631 = phi_3299_;
+                        let _e1633 = phi_3302_;
+                        let _e1635 = phi_3304_;
+                        let _e1637 = phi_3306_;
+                        local_54 = _e1635;
+                        local_57 = _e1633;
+                        local_58 = _e1635;
+                        if (_e1631.member < _e1631.member_1) {
+                            let _e1644 = (_e1631.member + 1i);
+                            phi_3300_ = type_16(select(_e1644, type_17().member_1, select(false, true, ((false == (_e1644 > _e1631.member)) != false))), _e1631.member_1);
+                            phi_3347_ = type_17(1u, _e1631.member);
                         } else {
-                            phi_3299_ = _e1630;
-                            phi_3346_ = type_17(0u, type_17().member_1);
+                            phi_3300_ = _e1631;
+                            phi_3347_ = type_17(0u, type_17().member_1);
                         }
-                        let _e1654 = phi_3299_;
-                        let _e1656 = phi_3346_;
-                        if (bitcast<i32>(_e1656.member) != 0i) {
-                            if select(select(true, false, _e1222), true, (_e1656.member_1 > 0i)) {
-                                let _e1666 = local_5.member[0u];
-                                let _e1672 = local_5.member_1[0u];
-                                let _e1678 = local_5.member_2[0u];
-                                let _e1682 = (_e1666[0] - _e1672[0]);
-                                let _e1683 = (_e1666[1] - _e1672[1]);
-                                let _e1684 = (_e1666[2] - _e1672[2]);
-                                let _e1685 = (_e230.member == 0u);
-                                let _e1697 = local_5.member[1u];
-                                let _e1703 = local_5.member_1[1u];
-                                let _e1709 = local_5.member_2[1u];
-                                let _e1713 = (_e1697[0] - _e1703[0]);
-                                let _e1714 = (_e1697[1] - _e1703[1]);
-                                let _e1715 = (_e1697[2] - _e1703[2]);
-                                let _e1716 = (_e230.member == 0u);
-                                let _e1728 = local_5.member[0u];
-                                let _e1734 = select(_e1728[0], -(_e1728[0]), (_e1728[0] < 0.0lf));
-                                let _e1737 = select(_e1728[1], -(_e1728[1]), (_e1728[1] < 0.0lf));
-                                let _e1739 = select(_e1737, _e1734, (_e1734 > _e1737));
-                                let _e1742 = select(_e1728[2], -(_e1728[2]), (_e1728[2] < 0.0lf));
-                                let _e1744 = select(_e1742, _e1739, (_e1739 > _e1742));
-                                let _e1747 = local_5.member[1u];
-                                let _e1753 = select(_e1747[0], -(_e1747[0]), (_e1747[0] < 0.0lf));
-                                let _e1756 = select(_e1747[1], -(_e1747[1]), (_e1747[1] < 0.0lf));
-                                let _e1758 = select(_e1756, _e1753, (_e1753 > _e1756));
-                                let _e1761 = select(_e1747[2], -(_e1747[2]), (_e1747[2] < 0.0lf));
-                                let _e1763 = select(_e1761, _e1758, (_e1758 > _e1761));
-                                let _e1767 = local_5.member_3;
-                                let _e1771 = local_5.member_1[0u];
-                                let _e1777 = select(_e1771[0], -(_e1771[0]), (_e1771[0] < 0.0lf));
-                                let _e1780 = select(_e1771[1], -(_e1771[1]), (_e1771[1] < 0.0lf));
-                                let _e1782 = select(_e1780, _e1777, (_e1777 > _e1780));
-                                let _e1785 = select(_e1771[2], -(_e1771[2]), (_e1771[2] < 0.0lf));
-                                let _e1787 = select(_e1785, _e1782, (_e1782 > _e1785));
-                                let _e1790 = local_5.member_1[1u];
-                                let _e1796 = select(_e1790[0], -(_e1790[0]), (_e1790[0] < 0.0lf));
-                                let _e1799 = select(_e1790[1], -(_e1790[1]), (_e1790[1] < 0.0lf));
-                                let _e1801 = select(_e1799, _e1796, (_e1796 > _e1799));
-                                let _e1804 = select(_e1790[2], -(_e1790[2]), (_e1790[2] < 0.0lf));
-                                let _e1806 = select(_e1804, _e1801, (_e1801 > _e1804));
-                                let _e1810 = local_5.member_3;
-                                let _e1814 = local_5.member_2[0u];
-                                let _e1820 = select(_e1814[0], -(_e1814[0]), (_e1814[0] < 0.0lf));
-                                let _e1823 = select(_e1814[1], -(_e1814[1]), (_e1814[1] < 0.0lf));
-                                let _e1825 = select(_e1823, _e1820, (_e1820 > _e1823));
-                                let _e1828 = select(_e1814[2], -(_e1814[2]), (_e1814[2] < 0.0lf));
-                                let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
-                                let _e1833 = local_5.member_2[1u];
-                                let _e1839 = select(_e1833[0], -(_e1833[0]), (_e1833[0] < 0.0lf));
-                                let _e1842 = select(_e1833[1], -(_e1833[1]), (_e1833[1] < 0.0lf));
-                                let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
-                                let _e1847 = select(_e1833[2], -(_e1833[2]), (_e1833[2] < 0.0lf));
-                                let _e1849 = select(_e1847, _e1844, (_e1844 > _e1847));
-                                let _e1853 = local_5.member_3;
-                                let _e1861 = local_5.member_3;
-                                let _e1869 = (_e533 * f64(0.00390625f));
-                                let _e1870 = f64(0f);
-                                let _e1871 = f64(1f);
-                                local_3 = type_39(array<f64, 4>(_e1870, _e1870, _e1870, _e1870), array<f64, 4>(_e1870, _e1870, _e1870, _e1870), array<f64, 4>(_e1871, _e1871, _e1871, _e1871));
-                                phi_3789_ = type_9(0u, 96u);
-                                phi_3792_ = _e1636;
-                                phi_3794_ = _e1636;
-                                phi_3796_ = (_e551 - _e1636);
-                                phi_3798_ = _e1636;
-                                phi_3800_ = false;
-                                phi_3802_ = 0u;
+                        let _e1655 = phi_3300_;
+                        let _e1657 = phi_3347_;
+                        if (bitcast<i32>(_e1657.member) != 0i) {
+                            if select(select(true, false, _e1223), true, (_e1657.member_1 > 0i)) {
+                                let _e1667 = local_5.member[0u];
+                                let _e1673 = local_5.member_1[0u];
+                                let _e1679 = local_5.member_2[0u];
+                                let _e1683 = (_e1667[0] - _e1673[0]);
+                                let _e1684 = (_e1667[1] - _e1673[1]);
+                                let _e1685 = (_e1667[2] - _e1673[2]);
+                                let _e1686 = (_e231.member == 0u);
+                                let _e1698 = local_5.member[1u];
+                                let _e1704 = local_5.member_1[1u];
+                                let _e1710 = local_5.member_2[1u];
+                                let _e1714 = (_e1698[0] - _e1704[0]);
+                                let _e1715 = (_e1698[1] - _e1704[1]);
+                                let _e1716 = (_e1698[2] - _e1704[2]);
+                                let _e1717 = (_e231.member == 0u);
+                                let _e1729 = local_5.member[0u];
+                                let _e1735 = select(_e1729[0], -(_e1729[0]), (_e1729[0] < 0.0lf));
+                                let _e1738 = select(_e1729[1], -(_e1729[1]), (_e1729[1] < 0.0lf));
+                                let _e1740 = select(_e1738, _e1735, (_e1735 > _e1738));
+                                let _e1743 = select(_e1729[2], -(_e1729[2]), (_e1729[2] < 0.0lf));
+                                let _e1745 = select(_e1743, _e1740, (_e1740 > _e1743));
+                                let _e1748 = local_5.member[1u];
+                                let _e1754 = select(_e1748[0], -(_e1748[0]), (_e1748[0] < 0.0lf));
+                                let _e1757 = select(_e1748[1], -(_e1748[1]), (_e1748[1] < 0.0lf));
+                                let _e1759 = select(_e1757, _e1754, (_e1754 > _e1757));
+                                let _e1762 = select(_e1748[2], -(_e1748[2]), (_e1748[2] < 0.0lf));
+                                let _e1764 = select(_e1762, _e1759, (_e1759 > _e1762));
+                                let _e1768 = local_5.member_3;
+                                let _e1772 = local_5.member_1[0u];
+                                let _e1778 = select(_e1772[0], -(_e1772[0]), (_e1772[0] < 0.0lf));
+                                let _e1781 = select(_e1772[1], -(_e1772[1]), (_e1772[1] < 0.0lf));
+                                let _e1783 = select(_e1781, _e1778, (_e1778 > _e1781));
+                                let _e1786 = select(_e1772[2], -(_e1772[2]), (_e1772[2] < 0.0lf));
+                                let _e1788 = select(_e1786, _e1783, (_e1783 > _e1786));
+                                let _e1791 = local_5.member_1[1u];
+                                let _e1797 = select(_e1791[0], -(_e1791[0]), (_e1791[0] < 0.0lf));
+                                let _e1800 = select(_e1791[1], -(_e1791[1]), (_e1791[1] < 0.0lf));
+                                let _e1802 = select(_e1800, _e1797, (_e1797 > _e1800));
+                                let _e1805 = select(_e1791[2], -(_e1791[2]), (_e1791[2] < 0.0lf));
+                                let _e1807 = select(_e1805, _e1802, (_e1802 > _e1805));
+                                let _e1811 = local_5.member_3;
+                                let _e1815 = local_5.member_2[0u];
+                                let _e1821 = select(_e1815[0], -(_e1815[0]), (_e1815[0] < 0.0lf));
+                                let _e1824 = select(_e1815[1], -(_e1815[1]), (_e1815[1] < 0.0lf));
+                                let _e1826 = select(_e1824, _e1821, (_e1821 > _e1824));
+                                let _e1829 = select(_e1815[2], -(_e1815[2]), (_e1815[2] < 0.0lf));
+                                let _e1831 = select(_e1829, _e1826, (_e1826 > _e1829));
+                                let _e1834 = local_5.member_2[1u];
+                                let _e1840 = select(_e1834[0], -(_e1834[0]), (_e1834[0] < 0.0lf));
+                                let _e1843 = select(_e1834[1], -(_e1834[1]), (_e1834[1] < 0.0lf));
+                                let _e1845 = select(_e1843, _e1840, (_e1840 > _e1843));
+                                let _e1848 = select(_e1834[2], -(_e1834[2]), (_e1834[2] < 0.0lf));
+                                let _e1850 = select(_e1848, _e1845, (_e1845 > _e1848));
+                                let _e1854 = local_5.member_3;
+                                let _e1862 = local_5.member_3;
+                                let _e1870 = (_e534 * f64(0.00390625f));
+                                let _e1871 = f64(0f);
+                                let _e1872 = f64(1f);
+                                local_3 = type_39(array<f64, 4>(_e1871, _e1871, _e1871, _e1871), array<f64, 4>(_e1871, _e1871, _e1871, _e1871), array<f64, 4>(_e1872, _e1872, _e1872, _e1872));
+                                phi_3790_ = type_9(0u, 96u);
+                                phi_3793_ = _e1637;
+                                phi_3795_ = _e1637;
+                                phi_3797_ = (_e552 - _e1637);
+                                phi_3799_ = _e1637;
+                                phi_3801_ = false;
+                                phi_3803_ = 0u;
                                 loop {
-                                    let _e1878 = phi_3789_;
-                                    let _e1880 = phi_3792_;
-                                    let _e1882 = phi_3794_;
-                                    let _e1884 = phi_3796_;
-                                    let _e1886 = phi_3798_;
-                                    let _e1888 = phi_3800_;
-                                    let _e1890 = phi_3802_;
-                                    local_20 = _e1880;
-                                    local_24 = _e1882;
-                                    let _e1893 = (_e1878.member < _e1878.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e1893)) != 0i) {
-                                        let _e1907 = local_5.member[0u];
-                                        let _e1913 = local_5.member[1u];
-                                        let _e1929 = local_5.member_1[0u];
-                                        let _e1935 = local_5.member_1[1u];
-                                        let _e1951 = local_5.member_2[0u];
-                                        let _e1957 = local_5.member_2[1u];
-                                        let _e1971 = function_4(array<f64, 3>((_e1907[0] + ((_e1913[0] - _e1907[0]) * _e1880)), (_e1907[1] + ((_e1913[1] - _e1907[1]) * _e1880)), (_e1907[2] + ((_e1913[2] - _e1907[2]) * _e1880))), array<f64, 3>((_e1929[0] + ((_e1935[0] - _e1929[0]) * _e1880)), (_e1929[1] + ((_e1935[1] - _e1929[1]) * _e1880)), (_e1929[2] + ((_e1935[2] - _e1929[2]) * _e1880))), array<f64, 3>((_e1951[0] + ((_e1957[0] - _e1951[0]) * _e1880)), (_e1951[1] + ((_e1957[1] - _e1951[1]) * _e1880)), (_e1951[2] + ((_e1957[2] - _e1951[2]) * _e1880))), _e230.member);
-                                        if (_e1890 == 0u) {
-                                            phi_3954_ = _e1971;
+                                    let _e1879 = phi_3790_;
+                                    let _e1881 = phi_3793_;
+                                    let _e1883 = phi_3795_;
+                                    let _e1885 = phi_3797_;
+                                    let _e1887 = phi_3799_;
+                                    let _e1889 = phi_3801_;
+                                    let _e1891 = phi_3803_;
+                                    local_20 = _e1881;
+                                    local_24 = _e1883;
+                                    let _e1894 = (_e1879.member < _e1879.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e1894)) != 0i) {
+                                        let _e1908 = local_5.member[0u];
+                                        let _e1914 = local_5.member[1u];
+                                        let _e1930 = local_5.member_1[0u];
+                                        let _e1936 = local_5.member_1[1u];
+                                        let _e1952 = local_5.member_2[0u];
+                                        let _e1958 = local_5.member_2[1u];
+                                        let _e1972 = function_4(array<f64, 3>((_e1908[0] + ((_e1914[0] - _e1908[0]) * _e1881)), (_e1908[1] + ((_e1914[1] - _e1908[1]) * _e1881)), (_e1908[2] + ((_e1914[2] - _e1908[2]) * _e1881))), array<f64, 3>((_e1930[0] + ((_e1936[0] - _e1930[0]) * _e1881)), (_e1930[1] + ((_e1936[1] - _e1930[1]) * _e1881)), (_e1930[2] + ((_e1936[2] - _e1930[2]) * _e1881))), array<f64, 3>((_e1952[0] + ((_e1958[0] - _e1952[0]) * _e1881)), (_e1952[1] + ((_e1958[1] - _e1952[1]) * _e1881)), (_e1952[2] + ((_e1958[2] - _e1952[2]) * _e1881))), _e231.member);
+                                        if (_e1891 == 0u) {
+                                            phi_3955_ = _e1972;
                                         } else {
-                                            let _e1973 = f64(0f);
-                                            phi_3954_ = array<f64, 3>(select(_e1973, _e1971[0], (_e1890 == 1u)), select(_e1973, _e1971[1], (_e1890 == 2u)), select(_e1973, _e1971[2], (_e1890 == 3u)));
+                                            let _e1974 = f64(0f);
+                                            phi_3955_ = array<f64, 3>(select(_e1974, _e1972[0], (_e1891 == 1u)), select(_e1974, _e1972[1], (_e1891 == 2u)), select(_e1974, _e1972[2], (_e1891 == 3u)));
                                         }
-                                        let _e1985 = phi_3954_;
-                                        let _e1999 = ((select(_e1985[0], -(_e1985[0]), (_e1985[0] < 0.0lf)) + select(_e1985[1], -(_e1985[1]), (_e1985[1] < 0.0lf))) + select(_e1985[2], -(_e1985[2]), (_e1985[2] < 0.0lf)));
-                                        if (_e1999 > f64(0f)) {
-                                            if ((bitcast<u64>(_e1999) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                let _e2006 = (f64(1f) / _e1999);
-                                                let _e2008 = (_e1985[0] * _e2006);
-                                                let _e2010 = (_e1985[1] * _e2006);
-                                                let _e2012 = (_e1985[2] * _e2006);
-                                                let _e2017 = (((_e2008 * _e2008) + (_e2010 * _e2010)) + (_e2012 * _e2012));
-                                                if (_e2017 <= 2.2250738585072014e-308lf) {
-                                                    phi_4079_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2017 > 0.0lf));
+                                        let _e1986 = phi_3955_;
+                                        let _e2000 = ((select(_e1986[0], -(_e1986[0]), (_e1986[0] < 0.0lf)) + select(_e1986[1], -(_e1986[1]), (_e1986[1] < 0.0lf))) + select(_e1986[2], -(_e1986[2]), (_e1986[2] < 0.0lf)));
+                                        if (_e2000 > f64(0f)) {
+                                            if ((bitcast<u64>(_e2000) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                let _e2007 = (f64(1f) / _e2000);
+                                                let _e2009 = (_e1986[0] * _e2007);
+                                                let _e2011 = (_e1986[1] * _e2007);
+                                                let _e2013 = (_e1986[2] * _e2007);
+                                                let _e2018 = (((_e2009 * _e2009) + (_e2011 * _e2011)) + (_e2013 * _e2013));
+                                                if (_e2018 <= 2.2250738585072014e-308lf) {
+                                                    phi_4080_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2018 > 0.0lf));
                                                 } else {
-                                                    phi_4022_ = type_16(0i, 5i);
-                                                    phi_4025_ = bitcast<f64>(((bitcast<u64>(_e2017) / 2lu) + 2303426169912950784lu));
+                                                    phi_4023_ = type_16(0i, 5i);
+                                                    phi_4026_ = bitcast<f64>(((bitcast<u64>(_e2018) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e2024 = phi_4022_;
-                                                        let _e2026 = phi_4025_;
-                                                        local_8 = _e2026;
-                                                        if (_e2024.member < _e2024.member_1) {
-                                                            let _e2033 = (_e2024.member + 1i);
-                                                            phi_4023_ = type_16(select(_e2033, type_17().member_1, select(false, true, ((false == (_e2033 > _e2024.member)) != false))), _e2024.member_1);
-                                                            phi_4066_ = type_17(1u, _e2024.member);
+                                                        let _e2025 = phi_4023_;
+                                                        let _e2027 = phi_4026_;
+                                                        local_8 = _e2027;
+                                                        if (_e2025.member < _e2025.member_1) {
+                                                            let _e2034 = (_e2025.member + 1i);
+                                                            phi_4024_ = type_16(select(_e2034, type_17().member_1, select(false, true, ((false == (_e2034 > _e2025.member)) != false))), _e2025.member_1);
+                                                            phi_4067_ = type_17(1u, _e2025.member);
                                                         } else {
-                                                            phi_4023_ = _e2024;
-                                                            phi_4066_ = type_17(0u, type_17().member_1);
+                                                            phi_4024_ = _e2025;
+                                                            phi_4067_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e2044 = phi_4023_;
-                                                        let _e2046 = phi_4066_;
-                                                        let _e2049 = (bitcast<i32>(_e2046.member) != 0i);
-                                                        if _e2049 {
-                                                            phi_4026_ = (0.5lf * (_e2026 + (_e2017 / _e2026)));
+                                                        let _e2045 = phi_4024_;
+                                                        let _e2047 = phi_4067_;
+                                                        let _e2050 = (bitcast<i32>(_e2047.member) != 0i);
+                                                        if _e2050 {
+                                                            phi_4027_ = (0.5lf * (_e2027 + (_e2018 / _e2027)));
                                                         } else {
-                                                            phi_4026_ = f64();
+                                                            phi_4027_ = f64();
                                                         }
-                                                        let _e2054 = phi_4026_;
+                                                        let _e2055 = phi_4027_;
                                                         continue;
                                                         continuing {
-                                                            phi_4022_ = _e2044;
-                                                            phi_4025_ = _e2054;
-                                                            break if !(_e2049);
+                                                            phi_4023_ = _e2045;
+                                                            phi_4026_ = _e2055;
+                                                            break if !(_e2050);
                                                         }
                                                     }
-                                                    let _e2059 = local_8;
-                                                    phi_4079_ = (_e2059 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e2060 = local_8;
+                                                    phi_4080_ = (_e2060 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e2065 = phi_4079_;
-                                                let _e2067 = (1.1102230246251565e-16lf * f64(12f));
-                                                let _e2074 = ((((((((select(_e1763, _e1744, (_e1744 > _e1763)) + _e1767) + (select(_e1806, _e1787, (_e1787 > _e1806)) + _e1810)) + (select(_e1849, _e1830, (_e1830 > _e1849)) + _e1853)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1861 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e905.member_1 * _e2065) * (f64(1f) + _e2067)));
-                                                let _e2079 = (((_e2008 * _e1666[0]) + (_e2010 * _e1666[1])) + (_e2012 * _e1666[2]));
-                                                let _e2084 = (((_e2008 * _e1682) + (_e2010 * _e1683)) + (_e2012 * _e1684));
-                                                let _e2089 = (((_e2008 * (_e1666[0] - _e1678[0])) + (_e2010 * (_e1666[1] - _e1678[1]))) + (_e2012 * (_e1666[2] - _e1678[2])));
-                                                let _e2094 = (((_e2008 * select((_e1682 - _e1678[0]), _e1666[0], _e1685)) + (_e2010 * select((_e1683 - _e1678[1]), _e1666[1], _e1685))) + (_e2012 * select((_e1684 - _e1678[2]), _e1666[2], _e1685)));
-                                                let _e2100 = (((_e2008 * _e1697[0]) + (_e2010 * _e1697[1])) + (_e2012 * _e1697[2]));
-                                                let _e2105 = (((_e2008 * _e1713) + (_e2010 * _e1714)) + (_e2012 * _e1715));
-                                                let _e2110 = (((_e2008 * (_e1697[0] - _e1709[0])) + (_e2010 * (_e1697[1] - _e1709[1]))) + (_e2012 * (_e1697[2] - _e1709[2])));
-                                                let _e2115 = (((_e2008 * select((_e1713 - _e1709[0]), _e1697[0], _e1716)) + (_e2010 * select((_e1714 - _e1709[1]), _e1697[1], _e1716))) + (_e2012 * select((_e1715 - _e1709[2]), _e1697[2], _e1716)));
-                                                phi_4205_ = type_39(array<f64, 4>(_e2079, _e2084, _e2089, _e2094), array<f64, 4>(_e2100, _e2105, _e2110, _e2115), array<f64, 4>((_e2074 + ((select(_e2079, -(_e2079), (_e2079 < 0.0lf)) + select(_e2100, -(_e2100), (_e2100 < 0.0lf))) * _e2067)), (_e2074 + ((select(_e2084, -(_e2084), (_e2084 < 0.0lf)) + select(_e2105, -(_e2105), (_e2105 < 0.0lf))) * _e2067)), (_e2074 + ((select(_e2089, -(_e2089), (_e2089 < 0.0lf)) + select(_e2110, -(_e2110), (_e2110 < 0.0lf))) * _e2067)), (_e2074 + ((select(_e2094, -(_e2094), (_e2094 < 0.0lf)) + select(_e2115, -(_e2115), (_e2115 < 0.0lf))) * _e2067))));
-                                                phi_4206_ = false;
+                                                let _e2066 = phi_4080_;
+                                                let _e2068 = (1.1102230246251565e-16lf * f64(12f));
+                                                let _e2075 = ((((((((select(_e1764, _e1745, (_e1745 > _e1764)) + _e1768) + (select(_e1807, _e1788, (_e1788 > _e1807)) + _e1811)) + (select(_e1850, _e1831, (_e1831 > _e1850)) + _e1854)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1862 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e906.member_1 * _e2066) * (f64(1f) + _e2068)));
+                                                let _e2080 = (((_e2009 * _e1667[0]) + (_e2011 * _e1667[1])) + (_e2013 * _e1667[2]));
+                                                let _e2085 = (((_e2009 * _e1683) + (_e2011 * _e1684)) + (_e2013 * _e1685));
+                                                let _e2090 = (((_e2009 * (_e1667[0] - _e1679[0])) + (_e2011 * (_e1667[1] - _e1679[1]))) + (_e2013 * (_e1667[2] - _e1679[2])));
+                                                let _e2095 = (((_e2009 * select((_e1683 - _e1679[0]), _e1667[0], _e1686)) + (_e2011 * select((_e1684 - _e1679[1]), _e1667[1], _e1686))) + (_e2013 * select((_e1685 - _e1679[2]), _e1667[2], _e1686)));
+                                                let _e2101 = (((_e2009 * _e1698[0]) + (_e2011 * _e1698[1])) + (_e2013 * _e1698[2]));
+                                                let _e2106 = (((_e2009 * _e1714) + (_e2011 * _e1715)) + (_e2013 * _e1716));
+                                                let _e2111 = (((_e2009 * (_e1698[0] - _e1710[0])) + (_e2011 * (_e1698[1] - _e1710[1]))) + (_e2013 * (_e1698[2] - _e1710[2])));
+                                                let _e2116 = (((_e2009 * select((_e1714 - _e1710[0]), _e1698[0], _e1717)) + (_e2011 * select((_e1715 - _e1710[1]), _e1698[1], _e1717))) + (_e2013 * select((_e1716 - _e1710[2]), _e1698[2], _e1717)));
+                                                phi_4206_ = type_39(array<f64, 4>(_e2080, _e2085, _e2090, _e2095), array<f64, 4>(_e2101, _e2106, _e2111, _e2116), array<f64, 4>((_e2075 + ((select(_e2080, -(_e2080), (_e2080 < 0.0lf)) + select(_e2101, -(_e2101), (_e2101 < 0.0lf))) * _e2068)), (_e2075 + ((select(_e2085, -(_e2085), (_e2085 < 0.0lf)) + select(_e2106, -(_e2106), (_e2106 < 0.0lf))) * _e2068)), (_e2075 + ((select(_e2090, -(_e2090), (_e2090 < 0.0lf)) + select(_e2111, -(_e2111), (_e2111 < 0.0lf))) * _e2068)), (_e2075 + ((select(_e2095, -(_e2095), (_e2095 < 0.0lf)) + select(_e2116, -(_e2116), (_e2116 < 0.0lf))) * _e2068))));
+                                                phi_4207_ = false;
                                             } else {
-                                                phi_4205_ = type_39();
-                                                phi_4206_ = true;
+                                                phi_4206_ = type_39();
+                                                phi_4207_ = true;
                                             }
-                                            let _e2156 = phi_4205_;
-                                            let _e2158 = phi_4206_;
-                                            phi_4207_ = _e2156;
-                                            phi_4208_ = _e2158;
+                                            let _e2157 = phi_4206_;
+                                            let _e2159 = phi_4207_;
+                                            phi_4208_ = _e2157;
+                                            phi_4209_ = _e2159;
                                         } else {
-                                            phi_4207_ = type_39();
-                                            phi_4208_ = true;
+                                            phi_4208_ = type_39();
+                                            phi_4209_ = true;
                                         }
-                                        let _e2160 = phi_4207_;
-                                        let _e2162 = phi_4208_;
-                                        if _e2162 {
-                                            let _e2163 = f64(0f);
-                                            let _e2164 = f64(1f);
-                                            phi_4218_ = type_39(array<f64, 4>(_e2163, _e2163, _e2163, _e2163), array<f64, 4>(_e2163, _e2163, _e2163, _e2163), array<f64, 4>(_e2164, _e2164, _e2164, _e2164));
+                                        let _e2161 = phi_4208_;
+                                        let _e2163 = phi_4209_;
+                                        if _e2163 {
+                                            let _e2164 = f64(0f);
+                                            let _e2165 = f64(1f);
+                                            phi_4219_ = type_39(array<f64, 4>(_e2164, _e2164, _e2164, _e2164), array<f64, 4>(_e2164, _e2164, _e2164, _e2164), array<f64, 4>(_e2165, _e2165, _e2165, _e2165));
                                         } else {
-                                            phi_4218_ = _e2160;
+                                            phi_4219_ = _e2161;
                                         }
-                                        let _e2170 = phi_4218_;
-                                        local_4 = type_39(array<f64, 4>(_e2170.member[0], _e2170.member[1], _e2170.member[2], _e2170.member[3]), array<f64, 4>(_e2170.member_1[0], _e2170.member_1[1], _e2170.member_1[2], _e2170.member_1[3]), array<f64, 4>(_e2170.member_2[0], _e2170.member_2[1], _e2170.member_2[2], _e2170.member_2[3]));
-                                        let _e2190 = (_e1880 - _e1886);
-                                        let _e2192 = f64(0f);
-                                        let _e2195 = local_4.member[0u];
-                                        let _e2198 = local_4.member_1[0u];
-                                        let _e2201 = local_4.member[0u];
-                                        let _e2207 = local_4.member_2[0u];
-                                        if (((_e2195 + ((_e2198 - _e2201) * _e1880)) - _e2207) > _e2192) {
-                                            let _e2212 = local_4.member[1u];
-                                            let _e2215 = local_4.member_1[1u];
-                                            let _e2218 = local_4.member[1u];
-                                            let _e2224 = local_4.member_2[1u];
-                                            if (((_e2212 + ((_e2215 - _e2218) * _e1880)) - _e2224) > _e2192) {
-                                                let _e2229 = local_4.member[2u];
-                                                let _e2232 = local_4.member_1[2u];
-                                                let _e2235 = local_4.member[2u];
-                                                let _e2241 = local_4.member_2[2u];
-                                                if (((_e2229 + ((_e2232 - _e2235) * _e1880)) - _e2241) > _e2192) {
-                                                    let _e2246 = local_4.member[3u];
-                                                    let _e2249 = local_4.member_1[3u];
-                                                    let _e2252 = local_4.member[3u];
-                                                    let _e2258 = local_4.member_2[3u];
-                                                    phi_4390_ = (((_e2246 + ((_e2249 - _e2252) * _e1880)) - _e2258) > _e2192);
-                                                    phi_4391_ = false;
+                                        let _e2171 = phi_4219_;
+                                        local_4 = type_39(array<f64, 4>(_e2171.member[0], _e2171.member[1], _e2171.member[2], _e2171.member[3]), array<f64, 4>(_e2171.member_1[0], _e2171.member_1[1], _e2171.member_1[2], _e2171.member_1[3]), array<f64, 4>(_e2171.member_2[0], _e2171.member_2[1], _e2171.member_2[2], _e2171.member_2[3]));
+                                        let _e2191 = (_e1881 - _e1887);
+                                        let _e2193 = f64(0f);
+                                        let _e2196 = local_4.member[0u];
+                                        let _e2199 = local_4.member_1[0u];
+                                        let _e2202 = local_4.member[0u];
+                                        let _e2208 = local_4.member_2[0u];
+                                        if (((_e2196 + ((_e2199 - _e2202) * _e1881)) - _e2208) > _e2193) {
+                                            let _e2213 = local_4.member[1u];
+                                            let _e2216 = local_4.member_1[1u];
+                                            let _e2219 = local_4.member[1u];
+                                            let _e2225 = local_4.member_2[1u];
+                                            if (((_e2213 + ((_e2216 - _e2219) * _e1881)) - _e2225) > _e2193) {
+                                                let _e2230 = local_4.member[2u];
+                                                let _e2233 = local_4.member_1[2u];
+                                                let _e2236 = local_4.member[2u];
+                                                let _e2242 = local_4.member_2[2u];
+                                                if (((_e2230 + ((_e2233 - _e2236) * _e1881)) - _e2242) > _e2193) {
+                                                    let _e2247 = local_4.member[3u];
+                                                    let _e2250 = local_4.member_1[3u];
+                                                    let _e2253 = local_4.member[3u];
+                                                    let _e2259 = local_4.member_2[3u];
+                                                    phi_4391_ = (((_e2247 + ((_e2250 - _e2253) * _e1881)) - _e2259) > _e2193);
+                                                    phi_4392_ = false;
                                                 } else {
-                                                    phi_4390_ = bool();
-                                                    phi_4391_ = true;
+                                                    phi_4391_ = bool();
+                                                    phi_4392_ = true;
                                                 }
-                                                let _e2262 = phi_4390_;
-                                                let _e2264 = phi_4391_;
-                                                phi_4392_ = _e2262;
-                                                phi_4393_ = _e2264;
+                                                let _e2263 = phi_4391_;
+                                                let _e2265 = phi_4392_;
+                                                phi_4393_ = _e2263;
+                                                phi_4394_ = _e2265;
                                             } else {
-                                                phi_4392_ = bool();
-                                                phi_4393_ = true;
+                                                phi_4393_ = bool();
+                                                phi_4394_ = true;
                                             }
-                                            let _e2266 = phi_4392_;
-                                            let _e2268 = phi_4393_;
-                                            phi_4394_ = _e2266;
-                                            phi_4395_ = _e2268;
+                                            let _e2267 = phi_4393_;
+                                            let _e2269 = phi_4394_;
+                                            phi_4395_ = _e2267;
+                                            phi_4396_ = _e2269;
                                         } else {
-                                            phi_4394_ = bool();
-                                            phi_4395_ = true;
+                                            phi_4395_ = bool();
+                                            phi_4396_ = true;
                                         }
-                                        let _e2270 = phi_4394_;
-                                        let _e2272 = phi_4395_;
-                                        if select(_e2270, false, _e2272) {
-                                            if (_e1880 <= _e1882) {
-                                                phi_4710_ = true;
+                                        let _e2271 = phi_4395_;
+                                        let _e2273 = phi_4396_;
+                                        if select(_e2271, false, _e2273) {
+                                            if (_e1881 <= _e1883) {
+                                                phi_4711_ = true;
                                             } else {
-                                                let _e2275 = f64(0f);
-                                                let _e2278 = local_3.member[0u];
-                                                let _e2281 = local_3.member_1[0u];
-                                                let _e2284 = local_3.member[0u];
-                                                let _e2290 = local_3.member_2[0u];
-                                                let _e2294 = local_4.member[0u];
-                                                let _e2297 = local_4.member_1[0u];
-                                                let _e2300 = local_4.member[0u];
-                                                let _e2306 = local_4.member_2[0u];
-                                                if ((((_e2278 + ((_e2281 - _e2284) * _e1880)) - _e2290) + ((_e2294 + ((_e2297 - _e2300) * _e1886)) - _e2306)) > _e2275) {
-                                                    let _e2312 = local_3.member[1u];
-                                                    let _e2315 = local_3.member_1[1u];
-                                                    let _e2318 = local_3.member[1u];
-                                                    let _e2324 = local_3.member_2[1u];
-                                                    let _e2328 = local_4.member[1u];
-                                                    let _e2331 = local_4.member_1[1u];
-                                                    let _e2334 = local_4.member[1u];
-                                                    let _e2340 = local_4.member_2[1u];
-                                                    if ((((_e2312 + ((_e2315 - _e2318) * _e1880)) - _e2324) + ((_e2328 + ((_e2331 - _e2334) * _e1886)) - _e2340)) > _e2275) {
-                                                        let _e2346 = local_3.member[2u];
-                                                        let _e2349 = local_3.member_1[2u];
-                                                        let _e2352 = local_3.member[2u];
-                                                        let _e2358 = local_3.member_2[2u];
-                                                        let _e2362 = local_4.member[2u];
-                                                        let _e2365 = local_4.member_1[2u];
-                                                        let _e2368 = local_4.member[2u];
-                                                        let _e2374 = local_4.member_2[2u];
-                                                        if ((((_e2346 + ((_e2349 - _e2352) * _e1880)) - _e2358) + ((_e2362 + ((_e2365 - _e2368) * _e1886)) - _e2374)) > _e2275) {
-                                                            let _e2380 = local_3.member[3u];
-                                                            let _e2383 = local_3.member_1[3u];
-                                                            let _e2386 = local_3.member[3u];
-                                                            let _e2392 = local_3.member_2[3u];
-                                                            let _e2396 = local_4.member[3u];
-                                                            let _e2399 = local_4.member_1[3u];
-                                                            let _e2402 = local_4.member[3u];
-                                                            let _e2408 = local_4.member_2[3u];
-                                                            phi_4697_ = ((((_e2380 + ((_e2383 - _e2386) * _e1880)) - _e2392) + ((_e2396 + ((_e2399 - _e2402) * _e1886)) - _e2408)) > _e2275);
-                                                            phi_4698_ = false;
+                                                let _e2276 = f64(0f);
+                                                let _e2279 = local_3.member[0u];
+                                                let _e2282 = local_3.member_1[0u];
+                                                let _e2285 = local_3.member[0u];
+                                                let _e2291 = local_3.member_2[0u];
+                                                let _e2295 = local_4.member[0u];
+                                                let _e2298 = local_4.member_1[0u];
+                                                let _e2301 = local_4.member[0u];
+                                                let _e2307 = local_4.member_2[0u];
+                                                if ((((_e2279 + ((_e2282 - _e2285) * _e1881)) - _e2291) + ((_e2295 + ((_e2298 - _e2301) * _e1887)) - _e2307)) > _e2276) {
+                                                    let _e2313 = local_3.member[1u];
+                                                    let _e2316 = local_3.member_1[1u];
+                                                    let _e2319 = local_3.member[1u];
+                                                    let _e2325 = local_3.member_2[1u];
+                                                    let _e2329 = local_4.member[1u];
+                                                    let _e2332 = local_4.member_1[1u];
+                                                    let _e2335 = local_4.member[1u];
+                                                    let _e2341 = local_4.member_2[1u];
+                                                    if ((((_e2313 + ((_e2316 - _e2319) * _e1881)) - _e2325) + ((_e2329 + ((_e2332 - _e2335) * _e1887)) - _e2341)) > _e2276) {
+                                                        let _e2347 = local_3.member[2u];
+                                                        let _e2350 = local_3.member_1[2u];
+                                                        let _e2353 = local_3.member[2u];
+                                                        let _e2359 = local_3.member_2[2u];
+                                                        let _e2363 = local_4.member[2u];
+                                                        let _e2366 = local_4.member_1[2u];
+                                                        let _e2369 = local_4.member[2u];
+                                                        let _e2375 = local_4.member_2[2u];
+                                                        if ((((_e2347 + ((_e2350 - _e2353) * _e1881)) - _e2359) + ((_e2363 + ((_e2366 - _e2369) * _e1887)) - _e2375)) > _e2276) {
+                                                            let _e2381 = local_3.member[3u];
+                                                            let _e2384 = local_3.member_1[3u];
+                                                            let _e2387 = local_3.member[3u];
+                                                            let _e2393 = local_3.member_2[3u];
+                                                            let _e2397 = local_4.member[3u];
+                                                            let _e2400 = local_4.member_1[3u];
+                                                            let _e2403 = local_4.member[3u];
+                                                            let _e2409 = local_4.member_2[3u];
+                                                            phi_4698_ = ((((_e2381 + ((_e2384 - _e2387) * _e1881)) - _e2393) + ((_e2397 + ((_e2400 - _e2403) * _e1887)) - _e2409)) > _e2276);
+                                                            phi_4699_ = false;
                                                         } else {
-                                                            phi_4697_ = bool();
-                                                            phi_4698_ = true;
+                                                            phi_4698_ = bool();
+                                                            phi_4699_ = true;
                                                         }
-                                                        let _e2413 = phi_4697_;
-                                                        let _e2415 = phi_4698_;
-                                                        phi_4699_ = _e2413;
-                                                        phi_4700_ = _e2415;
+                                                        let _e2414 = phi_4698_;
+                                                        let _e2416 = phi_4699_;
+                                                        phi_4700_ = _e2414;
+                                                        phi_4701_ = _e2416;
                                                     } else {
-                                                        phi_4699_ = bool();
-                                                        phi_4700_ = true;
+                                                        phi_4700_ = bool();
+                                                        phi_4701_ = true;
                                                     }
-                                                    let _e2417 = phi_4699_;
-                                                    let _e2419 = phi_4700_;
-                                                    phi_4701_ = _e2417;
-                                                    phi_4702_ = _e2419;
+                                                    let _e2418 = phi_4700_;
+                                                    let _e2420 = phi_4701_;
+                                                    phi_4702_ = _e2418;
+                                                    phi_4703_ = _e2420;
                                                 } else {
-                                                    phi_4701_ = bool();
-                                                    phi_4702_ = true;
+                                                    phi_4702_ = bool();
+                                                    phi_4703_ = true;
                                                 }
-                                                let _e2421 = phi_4701_;
-                                                let _e2423 = phi_4702_;
-                                                phi_4710_ = select(_e2421, false, _e2423);
+                                                let _e2422 = phi_4702_;
+                                                let _e2424 = phi_4703_;
+                                                phi_4711_ = select(_e2422, false, _e2424);
                                             }
-                                            let _e2426 = phi_4710_;
-                                            if _e2426 {
-                                                if select(true, select(true, false, (_e1880 >= _e551)), _e1888) {
-                                                    local_3 = type_39(array<f64, 4>(_e2170.member[0], _e2170.member[1], _e2170.member[2], _e2170.member[3]), array<f64, 4>(_e2170.member_1[0], _e2170.member_1[1], _e2170.member_1[2], _e2170.member_1[3]), array<f64, 4>(_e2170.member_2[0], _e2170.member_2[1], _e2170.member_2[2], _e2170.member_2[3]));
-                                                    let _e2451 = local_3.member[0u];
-                                                    let _e2454 = local_3.member_1[0u];
-                                                    let _e2457 = local_3.member_2[0u];
-                                                    if select(true, select(true, false, (_e2454 > _e2457)), (_e2451 > _e2457)) {
-                                                        let _e2462 = (_e2454 >= _e2451);
-                                                        if _e2462 {
-                                                            phi_4822_ = f64();
-                                                            phi_4823_ = false;
+                                            let _e2427 = phi_4711_;
+                                            if _e2427 {
+                                                if select(true, select(true, false, (_e1881 >= _e552)), _e1889) {
+                                                    local_3 = type_39(array<f64, 4>(_e2171.member[0], _e2171.member[1], _e2171.member[2], _e2171.member[3]), array<f64, 4>(_e2171.member_1[0], _e2171.member_1[1], _e2171.member_1[2], _e2171.member_1[3]), array<f64, 4>(_e2171.member_2[0], _e2171.member_2[1], _e2171.member_2[2], _e2171.member_2[3]));
+                                                    let _e2452 = local_3.member[0u];
+                                                    let _e2455 = local_3.member_1[0u];
+                                                    let _e2458 = local_3.member_2[0u];
+                                                    if select(true, select(true, false, (_e2455 > _e2458)), (_e2452 > _e2458)) {
+                                                        let _e2463 = (_e2455 >= _e2452);
+                                                        if _e2463 {
+                                                            phi_4823_ = f64();
+                                                            phi_4824_ = false;
                                                         } else {
-                                                            if ((_e2451 - _e2454) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4820_ = (((_e2451 - _e2457) / (_e2451 - _e2454)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4821_ = false;
+                                                            if ((_e2452 - _e2455) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4821_ = (((_e2452 - _e2458) / (_e2452 - _e2455)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4822_ = false;
                                                             } else {
-                                                                phi_4820_ = f64();
-                                                                phi_4821_ = true;
+                                                                phi_4821_ = f64();
+                                                                phi_4822_ = true;
                                                             }
-                                                            let _e2476 = phi_4820_;
-                                                            let _e2478 = phi_4821_;
-                                                            phi_4822_ = _e2476;
-                                                            phi_4823_ = _e2478;
+                                                            let _e2477 = phi_4821_;
+                                                            let _e2479 = phi_4822_;
+                                                            phi_4823_ = _e2477;
+                                                            phi_4824_ = _e2479;
                                                         }
-                                                        let _e2480 = phi_4822_;
-                                                        let _e2482 = phi_4823_;
-                                                        phi_4824_ = _e2480;
-                                                        phi_4825_ = _e2462;
-                                                        phi_4826_ = _e2482;
+                                                        let _e2481 = phi_4823_;
+                                                        let _e2483 = phi_4824_;
+                                                        phi_4825_ = _e2481;
+                                                        phi_4826_ = _e2463;
+                                                        phi_4827_ = _e2483;
                                                     } else {
-                                                        phi_4824_ = f64();
-                                                        phi_4825_ = true;
-                                                        phi_4826_ = false;
+                                                        phi_4825_ = f64();
+                                                        phi_4826_ = true;
+                                                        phi_4827_ = false;
                                                     }
-                                                    let _e2484 = phi_4824_;
-                                                    let _e2486 = phi_4825_;
-                                                    let _e2488 = phi_4826_;
-                                                    let _e2492 = select(_e2484, select(_e1880, f64(2f), _e2486), select(_e2488, true, _e2486));
-                                                    let _e2495 = local_3.member[1u];
-                                                    let _e2498 = local_3.member_1[1u];
-                                                    let _e2501 = local_3.member_2[1u];
-                                                    if select(true, select(true, false, (_e2498 > _e2501)), (_e2495 > _e2501)) {
-                                                        let _e2506 = (_e2498 >= _e2495);
-                                                        if _e2506 {
-                                                            phi_4894_ = f64();
-                                                            phi_4895_ = false;
+                                                    let _e2485 = phi_4825_;
+                                                    let _e2487 = phi_4826_;
+                                                    let _e2489 = phi_4827_;
+                                                    let _e2493 = select(_e2485, select(_e1881, f64(2f), _e2487), select(_e2489, true, _e2487));
+                                                    let _e2496 = local_3.member[1u];
+                                                    let _e2499 = local_3.member_1[1u];
+                                                    let _e2502 = local_3.member_2[1u];
+                                                    if select(true, select(true, false, (_e2499 > _e2502)), (_e2496 > _e2502)) {
+                                                        let _e2507 = (_e2499 >= _e2496);
+                                                        if _e2507 {
+                                                            phi_4895_ = f64();
+                                                            phi_4896_ = false;
                                                         } else {
-                                                            if ((_e2495 - _e2498) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4892_ = (((_e2495 - _e2501) / (_e2495 - _e2498)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4893_ = false;
+                                                            if ((_e2496 - _e2499) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4893_ = (((_e2496 - _e2502) / (_e2496 - _e2499)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4894_ = false;
                                                             } else {
-                                                                phi_4892_ = f64();
-                                                                phi_4893_ = true;
+                                                                phi_4893_ = f64();
+                                                                phi_4894_ = true;
                                                             }
-                                                            let _e2520 = phi_4892_;
-                                                            let _e2522 = phi_4893_;
-                                                            phi_4894_ = _e2520;
-                                                            phi_4895_ = _e2522;
+                                                            let _e2521 = phi_4893_;
+                                                            let _e2523 = phi_4894_;
+                                                            phi_4895_ = _e2521;
+                                                            phi_4896_ = _e2523;
                                                         }
-                                                        let _e2524 = phi_4894_;
-                                                        let _e2526 = phi_4895_;
-                                                        phi_4896_ = _e2524;
-                                                        phi_4897_ = _e2506;
-                                                        phi_4898_ = _e2526;
+                                                        let _e2525 = phi_4895_;
+                                                        let _e2527 = phi_4896_;
+                                                        phi_4897_ = _e2525;
+                                                        phi_4898_ = _e2507;
+                                                        phi_4899_ = _e2527;
                                                     } else {
-                                                        phi_4896_ = f64();
-                                                        phi_4897_ = true;
-                                                        phi_4898_ = false;
+                                                        phi_4897_ = f64();
+                                                        phi_4898_ = true;
+                                                        phi_4899_ = false;
                                                     }
-                                                    let _e2528 = phi_4896_;
-                                                    let _e2530 = phi_4897_;
-                                                    let _e2532 = phi_4898_;
-                                                    let _e2536 = select(_e2528, select(_e1880, f64(2f), _e2530), select(_e2532, true, _e2530));
-                                                    let _e2538 = select(_e2536, _e2492, (_e2492 < _e2536));
-                                                    let _e2541 = local_3.member[2u];
-                                                    let _e2544 = local_3.member_1[2u];
-                                                    let _e2547 = local_3.member_2[2u];
-                                                    if select(true, select(true, false, (_e2544 > _e2547)), (_e2541 > _e2547)) {
-                                                        let _e2552 = (_e2544 >= _e2541);
-                                                        if _e2552 {
-                                                            phi_4971_ = f64();
-                                                            phi_4972_ = false;
+                                                    let _e2529 = phi_4897_;
+                                                    let _e2531 = phi_4898_;
+                                                    let _e2533 = phi_4899_;
+                                                    let _e2537 = select(_e2529, select(_e1881, f64(2f), _e2531), select(_e2533, true, _e2531));
+                                                    let _e2539 = select(_e2537, _e2493, (_e2493 < _e2537));
+                                                    let _e2542 = local_3.member[2u];
+                                                    let _e2545 = local_3.member_1[2u];
+                                                    let _e2548 = local_3.member_2[2u];
+                                                    if select(true, select(true, false, (_e2545 > _e2548)), (_e2542 > _e2548)) {
+                                                        let _e2553 = (_e2545 >= _e2542);
+                                                        if _e2553 {
+                                                            phi_4972_ = f64();
+                                                            phi_4973_ = false;
                                                         } else {
-                                                            if ((_e2541 - _e2544) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4969_ = (((_e2541 - _e2547) / (_e2541 - _e2544)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4970_ = false;
+                                                            if ((_e2542 - _e2545) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4970_ = (((_e2542 - _e2548) / (_e2542 - _e2545)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4971_ = false;
                                                             } else {
-                                                                phi_4969_ = f64();
-                                                                phi_4970_ = true;
+                                                                phi_4970_ = f64();
+                                                                phi_4971_ = true;
                                                             }
-                                                            let _e2566 = phi_4969_;
-                                                            let _e2568 = phi_4970_;
-                                                            phi_4971_ = _e2566;
-                                                            phi_4972_ = _e2568;
+                                                            let _e2567 = phi_4970_;
+                                                            let _e2569 = phi_4971_;
+                                                            phi_4972_ = _e2567;
+                                                            phi_4973_ = _e2569;
                                                         }
-                                                        let _e2570 = phi_4971_;
-                                                        let _e2572 = phi_4972_;
-                                                        phi_4973_ = _e2570;
-                                                        phi_4974_ = _e2552;
-                                                        phi_4975_ = _e2572;
+                                                        let _e2571 = phi_4972_;
+                                                        let _e2573 = phi_4973_;
+                                                        phi_4974_ = _e2571;
+                                                        phi_4975_ = _e2553;
+                                                        phi_4976_ = _e2573;
                                                     } else {
-                                                        phi_4973_ = f64();
-                                                        phi_4974_ = true;
-                                                        phi_4975_ = false;
+                                                        phi_4974_ = f64();
+                                                        phi_4975_ = true;
+                                                        phi_4976_ = false;
                                                     }
-                                                    let _e2574 = phi_4973_;
-                                                    let _e2576 = phi_4974_;
-                                                    let _e2578 = phi_4975_;
-                                                    let _e2582 = select(_e2574, select(_e1880, f64(2f), _e2576), select(_e2578, true, _e2576));
-                                                    let _e2585 = local_3.member[3u];
-                                                    let _e2588 = local_3.member_1[3u];
-                                                    let _e2591 = local_3.member_2[3u];
-                                                    if select(true, select(true, false, (_e2588 > _e2591)), (_e2585 > _e2591)) {
-                                                        let _e2596 = (_e2588 >= _e2585);
-                                                        if _e2596 {
-                                                            phi_5043_ = f64();
-                                                            phi_5044_ = false;
+                                                    let _e2575 = phi_4974_;
+                                                    let _e2577 = phi_4975_;
+                                                    let _e2579 = phi_4976_;
+                                                    let _e2583 = select(_e2575, select(_e1881, f64(2f), _e2577), select(_e2579, true, _e2577));
+                                                    let _e2586 = local_3.member[3u];
+                                                    let _e2589 = local_3.member_1[3u];
+                                                    let _e2592 = local_3.member_2[3u];
+                                                    if select(true, select(true, false, (_e2589 > _e2592)), (_e2586 > _e2592)) {
+                                                        let _e2597 = (_e2589 >= _e2586);
+                                                        if _e2597 {
+                                                            phi_5044_ = f64();
+                                                            phi_5045_ = false;
                                                         } else {
-                                                            if ((_e2585 - _e2588) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_5041_ = (((_e2585 - _e2591) / (_e2585 - _e2588)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_5042_ = false;
+                                                            if ((_e2586 - _e2589) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_5042_ = (((_e2586 - _e2592) / (_e2586 - _e2589)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_5043_ = false;
                                                             } else {
-                                                                phi_5041_ = f64();
-                                                                phi_5042_ = true;
+                                                                phi_5042_ = f64();
+                                                                phi_5043_ = true;
                                                             }
-                                                            let _e2610 = phi_5041_;
-                                                            let _e2612 = phi_5042_;
-                                                            phi_5043_ = _e2610;
-                                                            phi_5044_ = _e2612;
+                                                            let _e2611 = phi_5042_;
+                                                            let _e2613 = phi_5043_;
+                                                            phi_5044_ = _e2611;
+                                                            phi_5045_ = _e2613;
                                                         }
-                                                        let _e2614 = phi_5043_;
-                                                        let _e2616 = phi_5044_;
-                                                        phi_5045_ = _e2614;
-                                                        phi_5046_ = _e2596;
-                                                        phi_5047_ = _e2616;
+                                                        let _e2615 = phi_5044_;
+                                                        let _e2617 = phi_5045_;
+                                                        phi_5046_ = _e2615;
+                                                        phi_5047_ = _e2597;
+                                                        phi_5048_ = _e2617;
                                                     } else {
-                                                        phi_5045_ = f64();
-                                                        phi_5046_ = true;
-                                                        phi_5047_ = false;
+                                                        phi_5046_ = f64();
+                                                        phi_5047_ = true;
+                                                        phi_5048_ = false;
                                                     }
-                                                    let _e2618 = phi_5045_;
-                                                    let _e2620 = phi_5046_;
-                                                    let _e2622 = phi_5047_;
-                                                    let _e2626 = select(_e2618, select(_e1880, f64(2f), _e2620), select(_e2622, true, _e2620));
-                                                    let _e2628 = select(_e2626, _e2582, (_e2582 < _e2626));
-                                                    let _e2630 = select(_e2628, _e2538, (_e2538 < _e2628));
-                                                    let _e2632 = select(_e1880, _e2630, (_e2630 > _e1880));
-                                                    let _e2633 = (_e2632 > _e551);
-                                                    if _e2633 {
-                                                        phi_5589_ = f64();
+                                                    let _e2619 = phi_5046_;
+                                                    let _e2621 = phi_5047_;
+                                                    let _e2623 = phi_5048_;
+                                                    let _e2627 = select(_e2619, select(_e1881, f64(2f), _e2621), select(_e2623, true, _e2621));
+                                                    let _e2629 = select(_e2627, _e2583, (_e2583 < _e2627));
+                                                    let _e2631 = select(_e2629, _e2539, (_e2539 < _e2629));
+                                                    let _e2633 = select(_e1881, _e2631, (_e2631 > _e1881));
+                                                    let _e2634 = (_e2633 > _e552);
+                                                    if _e2634 {
                                                         phi_5590_ = f64();
-                                                        phi_5591_ = false;
+                                                        phi_5591_ = f64();
                                                         phi_5592_ = false;
+                                                        phi_5593_ = false;
                                                     } else {
-                                                        let _e2634 = (_e2632 - _e1880);
-                                                        let _e2635 = (_e2634 <= _e1869);
-                                                        let _e2638 = (_e2632 + (_e533 * f64(0.01f)));
-                                                        let _e2640 = select(_e551, _e2638, (_e2638 < _e551));
-                                                        if _e2635 {
-                                                            if (_e905.member_1 > f64(0f)) {
-                                                                let _e2645 = local_5.member[0u];
-                                                                let _e2651 = local_5.member[1u];
-                                                                let _e2667 = local_5.member_1[0u];
-                                                                let _e2673 = local_5.member_1[1u];
-                                                                let _e2689 = local_5.member_2[0u];
-                                                                let _e2695 = local_5.member_2[1u];
-                                                                let _e2709 = function_4(array<f64, 3>((_e2645[0] + ((_e2651[0] - _e2645[0]) * _e2640)), (_e2645[1] + ((_e2651[1] - _e2645[1]) * _e2640)), (_e2645[2] + ((_e2651[2] - _e2645[2]) * _e2640))), array<f64, 3>((_e2667[0] + ((_e2673[0] - _e2667[0]) * _e2640)), (_e2667[1] + ((_e2673[1] - _e2667[1]) * _e2640)), (_e2667[2] + ((_e2673[2] - _e2667[2]) * _e2640))), array<f64, 3>((_e2689[0] + ((_e2695[0] - _e2689[0]) * _e2640)), (_e2689[1] + ((_e2695[1] - _e2689[1]) * _e2640)), (_e2689[2] + ((_e2695[2] - _e2689[2]) * _e2640))), _e230.member);
-                                                                let _e2720 = (((_e2709[0] * _e2709[0]) + (_e2709[1] * _e2709[1])) + (_e2709[2] * _e2709[2]));
-                                                                if (_e2720 <= 2.2250738585072014e-308lf) {
-                                                                    phi_5281_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2720 > 0.0lf));
+                                                        let _e2635 = (_e2633 - _e1881);
+                                                        let _e2636 = (_e2635 <= _e1870);
+                                                        let _e2639 = (_e2633 + (_e534 * f64(0.01f)));
+                                                        let _e2641 = select(_e552, _e2639, (_e2639 < _e552));
+                                                        if _e2636 {
+                                                            if (_e906.member_1 > f64(0f)) {
+                                                                let _e2646 = local_5.member[0u];
+                                                                let _e2652 = local_5.member[1u];
+                                                                let _e2668 = local_5.member_1[0u];
+                                                                let _e2674 = local_5.member_1[1u];
+                                                                let _e2690 = local_5.member_2[0u];
+                                                                let _e2696 = local_5.member_2[1u];
+                                                                let _e2710 = function_4(array<f64, 3>((_e2646[0] + ((_e2652[0] - _e2646[0]) * _e2641)), (_e2646[1] + ((_e2652[1] - _e2646[1]) * _e2641)), (_e2646[2] + ((_e2652[2] - _e2646[2]) * _e2641))), array<f64, 3>((_e2668[0] + ((_e2674[0] - _e2668[0]) * _e2641)), (_e2668[1] + ((_e2674[1] - _e2668[1]) * _e2641)), (_e2668[2] + ((_e2674[2] - _e2668[2]) * _e2641))), array<f64, 3>((_e2690[0] + ((_e2696[0] - _e2690[0]) * _e2641)), (_e2690[1] + ((_e2696[1] - _e2690[1]) * _e2641)), (_e2690[2] + ((_e2696[2] - _e2690[2]) * _e2641))), _e231.member);
+                                                                let _e2721 = (((_e2710[0] * _e2710[0]) + (_e2710[1] * _e2710[1])) + (_e2710[2] * _e2710[2]));
+                                                                if (_e2721 <= 2.2250738585072014e-308lf) {
+                                                                    phi_5282_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2721 > 0.0lf));
                                                                 } else {
-                                                                    phi_5224_ = type_16(0i, 5i);
-                                                                    phi_5227_ = bitcast<f64>(((bitcast<u64>(_e2720) / 2lu) + 2303426169912950784lu));
+                                                                    phi_5225_ = type_16(0i, 5i);
+                                                                    phi_5228_ = bitcast<f64>(((bitcast<u64>(_e2721) / 2lu) + 2303426169912950784lu));
                                                                     loop {
-                                                                        let _e2727 = phi_5224_;
-                                                                        let _e2729 = phi_5227_;
-                                                                        local_9 = _e2729;
-                                                                        if (_e2727.member < _e2727.member_1) {
-                                                                            let _e2736 = (_e2727.member + 1i);
-                                                                            phi_5225_ = type_16(select(_e2736, type_17().member_1, select(false, true, ((false == (_e2736 > _e2727.member)) != false))), _e2727.member_1);
-                                                                            phi_5268_ = type_17(1u, _e2727.member);
+                                                                        let _e2728 = phi_5225_;
+                                                                        let _e2730 = phi_5228_;
+                                                                        local_9 = _e2730;
+                                                                        if (_e2728.member < _e2728.member_1) {
+                                                                            let _e2737 = (_e2728.member + 1i);
+                                                                            phi_5226_ = type_16(select(_e2737, type_17().member_1, select(false, true, ((false == (_e2737 > _e2728.member)) != false))), _e2728.member_1);
+                                                                            phi_5269_ = type_17(1u, _e2728.member);
                                                                         } else {
-                                                                            phi_5225_ = _e2727;
-                                                                            phi_5268_ = type_17(0u, type_17().member_1);
+                                                                            phi_5226_ = _e2728;
+                                                                            phi_5269_ = type_17(0u, type_17().member_1);
                                                                         }
-                                                                        let _e2747 = phi_5225_;
-                                                                        let _e2749 = phi_5268_;
-                                                                        let _e2752 = (bitcast<i32>(_e2749.member) != 0i);
-                                                                        if _e2752 {
-                                                                            phi_5228_ = (0.5lf * (_e2729 + (_e2720 / _e2729)));
+                                                                        let _e2748 = phi_5226_;
+                                                                        let _e2750 = phi_5269_;
+                                                                        let _e2753 = (bitcast<i32>(_e2750.member) != 0i);
+                                                                        if _e2753 {
+                                                                            phi_5229_ = (0.5lf * (_e2730 + (_e2721 / _e2730)));
                                                                         } else {
-                                                                            phi_5228_ = f64();
+                                                                            phi_5229_ = f64();
                                                                         }
-                                                                        let _e2757 = phi_5228_;
+                                                                        let _e2758 = phi_5229_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_5224_ = _e2747;
-                                                                            phi_5227_ = _e2757;
-                                                                            break if !(_e2752);
+                                                                            phi_5225_ = _e2748;
+                                                                            phi_5228_ = _e2758;
+                                                                            break if !(_e2753);
                                                                         }
                                                                     }
-                                                                    let _e2762 = local_9;
-                                                                    phi_5281_ = (_e2762 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                    let _e2763 = local_9;
+                                                                    phi_5282_ = (_e2763 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                 }
-                                                                let _e2768 = phi_5281_;
-                                                                let _e2776 = local_5.member[0u];
-                                                                let _e2782 = select(_e2776[0], -(_e2776[0]), (_e2776[0] < 0.0lf));
-                                                                let _e2785 = select(_e2776[1], -(_e2776[1]), (_e2776[1] < 0.0lf));
-                                                                let _e2787 = select(_e2785, _e2782, (_e2782 > _e2785));
-                                                                let _e2790 = select(_e2776[2], -(_e2776[2]), (_e2776[2] < 0.0lf));
-                                                                let _e2792 = select(_e2790, _e2787, (_e2787 > _e2790));
-                                                                let _e2795 = local_5.member[1u];
-                                                                let _e2801 = select(_e2795[0], -(_e2795[0]), (_e2795[0] < 0.0lf));
-                                                                let _e2804 = select(_e2795[1], -(_e2795[1]), (_e2795[1] < 0.0lf));
-                                                                let _e2806 = select(_e2804, _e2801, (_e2801 > _e2804));
-                                                                let _e2809 = select(_e2795[2], -(_e2795[2]), (_e2795[2] < 0.0lf));
-                                                                let _e2811 = select(_e2809, _e2806, (_e2806 > _e2809));
-                                                                let _e2815 = local_5.member_3;
-                                                                let _e2819 = local_5.member_1[0u];
-                                                                let _e2825 = select(_e2819[0], -(_e2819[0]), (_e2819[0] < 0.0lf));
-                                                                let _e2828 = select(_e2819[1], -(_e2819[1]), (_e2819[1] < 0.0lf));
-                                                                let _e2830 = select(_e2828, _e2825, (_e2825 > _e2828));
-                                                                let _e2833 = select(_e2819[2], -(_e2819[2]), (_e2819[2] < 0.0lf));
-                                                                let _e2835 = select(_e2833, _e2830, (_e2830 > _e2833));
-                                                                let _e2838 = local_5.member_1[1u];
-                                                                let _e2844 = select(_e2838[0], -(_e2838[0]), (_e2838[0] < 0.0lf));
-                                                                let _e2847 = select(_e2838[1], -(_e2838[1]), (_e2838[1] < 0.0lf));
-                                                                let _e2849 = select(_e2847, _e2844, (_e2844 > _e2847));
-                                                                let _e2852 = select(_e2838[2], -(_e2838[2]), (_e2838[2] < 0.0lf));
-                                                                let _e2854 = select(_e2852, _e2849, (_e2849 > _e2852));
-                                                                let _e2858 = local_5.member_3;
-                                                                let _e2862 = local_5.member_2[0u];
-                                                                let _e2868 = select(_e2862[0], -(_e2862[0]), (_e2862[0] < 0.0lf));
-                                                                let _e2871 = select(_e2862[1], -(_e2862[1]), (_e2862[1] < 0.0lf));
-                                                                let _e2873 = select(_e2871, _e2868, (_e2868 > _e2871));
-                                                                let _e2876 = select(_e2862[2], -(_e2862[2]), (_e2862[2] < 0.0lf));
-                                                                let _e2878 = select(_e2876, _e2873, (_e2873 > _e2876));
-                                                                let _e2881 = local_5.member_2[1u];
-                                                                let _e2887 = select(_e2881[0], -(_e2881[0]), (_e2881[0] < 0.0lf));
-                                                                let _e2890 = select(_e2881[1], -(_e2881[1]), (_e2881[1] < 0.0lf));
-                                                                let _e2892 = select(_e2890, _e2887, (_e2887 > _e2890));
-                                                                let _e2895 = select(_e2881[2], -(_e2881[2]), (_e2881[2] < 0.0lf));
-                                                                let _e2897 = select(_e2895, _e2892, (_e2892 > _e2895));
-                                                                let _e2901 = local_5.member_3;
-                                                                let _e2909 = local_5.member_3;
-                                                                phi_5558_ = select(true, false, (((_e2768 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2811, _e2792, (_e2792 > _e2811)) + _e2815) + (select(_e2854, _e2835, (_e2835 > _e2854)) + _e2858)) + (select(_e2897, _e2878, (_e2878 > _e2897)) + _e2901)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2909 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e905.member_1));
+                                                                let _e2769 = phi_5282_;
+                                                                let _e2777 = local_5.member[0u];
+                                                                let _e2783 = select(_e2777[0], -(_e2777[0]), (_e2777[0] < 0.0lf));
+                                                                let _e2786 = select(_e2777[1], -(_e2777[1]), (_e2777[1] < 0.0lf));
+                                                                let _e2788 = select(_e2786, _e2783, (_e2783 > _e2786));
+                                                                let _e2791 = select(_e2777[2], -(_e2777[2]), (_e2777[2] < 0.0lf));
+                                                                let _e2793 = select(_e2791, _e2788, (_e2788 > _e2791));
+                                                                let _e2796 = local_5.member[1u];
+                                                                let _e2802 = select(_e2796[0], -(_e2796[0]), (_e2796[0] < 0.0lf));
+                                                                let _e2805 = select(_e2796[1], -(_e2796[1]), (_e2796[1] < 0.0lf));
+                                                                let _e2807 = select(_e2805, _e2802, (_e2802 > _e2805));
+                                                                let _e2810 = select(_e2796[2], -(_e2796[2]), (_e2796[2] < 0.0lf));
+                                                                let _e2812 = select(_e2810, _e2807, (_e2807 > _e2810));
+                                                                let _e2816 = local_5.member_3;
+                                                                let _e2820 = local_5.member_1[0u];
+                                                                let _e2826 = select(_e2820[0], -(_e2820[0]), (_e2820[0] < 0.0lf));
+                                                                let _e2829 = select(_e2820[1], -(_e2820[1]), (_e2820[1] < 0.0lf));
+                                                                let _e2831 = select(_e2829, _e2826, (_e2826 > _e2829));
+                                                                let _e2834 = select(_e2820[2], -(_e2820[2]), (_e2820[2] < 0.0lf));
+                                                                let _e2836 = select(_e2834, _e2831, (_e2831 > _e2834));
+                                                                let _e2839 = local_5.member_1[1u];
+                                                                let _e2845 = select(_e2839[0], -(_e2839[0]), (_e2839[0] < 0.0lf));
+                                                                let _e2848 = select(_e2839[1], -(_e2839[1]), (_e2839[1] < 0.0lf));
+                                                                let _e2850 = select(_e2848, _e2845, (_e2845 > _e2848));
+                                                                let _e2853 = select(_e2839[2], -(_e2839[2]), (_e2839[2] < 0.0lf));
+                                                                let _e2855 = select(_e2853, _e2850, (_e2850 > _e2853));
+                                                                let _e2859 = local_5.member_3;
+                                                                let _e2863 = local_5.member_2[0u];
+                                                                let _e2869 = select(_e2863[0], -(_e2863[0]), (_e2863[0] < 0.0lf));
+                                                                let _e2872 = select(_e2863[1], -(_e2863[1]), (_e2863[1] < 0.0lf));
+                                                                let _e2874 = select(_e2872, _e2869, (_e2869 > _e2872));
+                                                                let _e2877 = select(_e2863[2], -(_e2863[2]), (_e2863[2] < 0.0lf));
+                                                                let _e2879 = select(_e2877, _e2874, (_e2874 > _e2877));
+                                                                let _e2882 = local_5.member_2[1u];
+                                                                let _e2888 = select(_e2882[0], -(_e2882[0]), (_e2882[0] < 0.0lf));
+                                                                let _e2891 = select(_e2882[1], -(_e2882[1]), (_e2882[1] < 0.0lf));
+                                                                let _e2893 = select(_e2891, _e2888, (_e2888 > _e2891));
+                                                                let _e2896 = select(_e2882[2], -(_e2882[2]), (_e2882[2] < 0.0lf));
+                                                                let _e2898 = select(_e2896, _e2893, (_e2893 > _e2896));
+                                                                let _e2902 = local_5.member_3;
+                                                                let _e2910 = local_5.member_3;
+                                                                phi_5559_ = select(true, false, (((_e2769 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2812, _e2793, (_e2793 > _e2812)) + _e2816) + (select(_e2855, _e2836, (_e2836 > _e2855)) + _e2859)) + (select(_e2898, _e2879, (_e2879 > _e2898)) + _e2902)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2910 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e906.member_1));
                                                             } else {
-                                                                phi_5558_ = true;
+                                                                phi_5559_ = true;
                                                             }
-                                                            let _e2922 = phi_5558_;
-                                                            phi_5559_ = _e2922;
+                                                            let _e2923 = phi_5559_;
+                                                            phi_5560_ = _e2923;
                                                         } else {
-                                                            phi_5559_ = true;
+                                                            phi_5560_ = true;
                                                         }
-                                                        let _e2924 = phi_5559_;
-                                                        if _e2924 {
-                                                            if _e1888 {
-                                                                let _e2928 = (_e2634 <= (_e1884 * f64(0.25f)));
-                                                                phi_5586_ = select(select(select(f64(), f64(0f), _e2928), f64(), _e2635), (_e2190 + _e2190), select(select(true, false, _e2928), true, _e2635));
+                                                        let _e2925 = phi_5560_;
+                                                        if _e2925 {
+                                                            if _e1889 {
+                                                                let _e2929 = (_e2635 <= (_e1885 * f64(0.25f)));
+                                                                phi_5587_ = select(select(select(f64(), f64(0f), _e2929), f64(), _e2636), (_e2191 + _e2191), select(select(true, false, _e2929), true, _e2636));
                                                             } else {
-                                                                phi_5586_ = (_e551 - _e1880);
+                                                                phi_5587_ = (_e552 - _e1881);
                                                             }
-                                                            let _e2937 = phi_5586_;
-                                                            phi_5587_ = _e2937;
-                                                            phi_5588_ = false;
+                                                            let _e2938 = phi_5587_;
+                                                            phi_5588_ = _e2938;
+                                                            phi_5589_ = false;
                                                         } else {
-                                                            phi_5587_ = f64();
-                                                            phi_5588_ = true;
+                                                            phi_5588_ = f64();
+                                                            phi_5589_ = true;
                                                         }
-                                                        let _e2939 = phi_5587_;
-                                                        let _e2941 = phi_5588_;
-                                                        phi_5589_ = _e2939;
-                                                        phi_5590_ = _e2634;
-                                                        phi_5591_ = _e2924;
-                                                        phi_5592_ = _e2941;
+                                                        let _e2940 = phi_5588_;
+                                                        let _e2942 = phi_5589_;
+                                                        phi_5590_ = _e2940;
+                                                        phi_5591_ = _e2635;
+                                                        phi_5592_ = _e2925;
+                                                        phi_5593_ = _e2942;
                                                     }
-                                                    let _e2943 = phi_5589_;
-                                                    let _e2945 = phi_5590_;
-                                                    let _e2947 = phi_5591_;
-                                                    let _e2949 = phi_5592_;
-                                                    phi_5593_ = _e2632;
-                                                    phi_5594_ = _e2943;
-                                                    phi_5595_ = _e2945;
-                                                    phi_5596_ = _e2632;
-                                                    phi_5597_ = _e2947;
-                                                    phi_5598_ = _e2633;
-                                                    phi_5599_ = _e2949;
-                                                    phi_5600_ = false;
+                                                    let _e2944 = phi_5590_;
+                                                    let _e2946 = phi_5591_;
+                                                    let _e2948 = phi_5592_;
+                                                    let _e2950 = phi_5593_;
+                                                    phi_5594_ = _e2633;
+                                                    phi_5595_ = _e2944;
+                                                    phi_5596_ = _e2946;
+                                                    phi_5597_ = _e2633;
+                                                    phi_5598_ = _e2948;
+                                                    phi_5599_ = _e2634;
+                                                    phi_5600_ = _e2950;
+                                                    phi_5601_ = false;
                                                 } else {
-                                                    phi_5593_ = f64();
                                                     phi_5594_ = f64();
                                                     phi_5595_ = f64();
                                                     phi_5596_ = f64();
-                                                    phi_5597_ = false;
+                                                    phi_5597_ = f64();
                                                     phi_5598_ = false;
                                                     phi_5599_ = false;
-                                                    phi_5600_ = true;
+                                                    phi_5600_ = false;
+                                                    phi_5601_ = true;
                                                 }
-                                                let _e2951 = phi_5593_;
-                                                let _e2953 = phi_5594_;
-                                                let _e2955 = phi_5595_;
-                                                let _e2957 = phi_5596_;
-                                                let _e2959 = phi_5597_;
-                                                let _e2961 = phi_5598_;
-                                                let _e2963 = phi_5599_;
-                                                let _e2965 = phi_5600_;
-                                                phi_5601_ = _e2951;
-                                                phi_5602_ = _e2953;
-                                                phi_5603_ = _e2955;
-                                                phi_5604_ = _e2957;
-                                                phi_5605_ = false;
-                                                phi_5606_ = _e2959;
-                                                phi_5607_ = _e2961;
-                                                phi_5608_ = _e2963;
-                                                phi_5609_ = _e2965;
+                                                let _e2952 = phi_5594_;
+                                                let _e2954 = phi_5595_;
+                                                let _e2956 = phi_5596_;
+                                                let _e2958 = phi_5597_;
+                                                let _e2960 = phi_5598_;
+                                                let _e2962 = phi_5599_;
+                                                let _e2964 = phi_5600_;
+                                                let _e2966 = phi_5601_;
+                                                phi_5602_ = _e2952;
+                                                phi_5603_ = _e2954;
+                                                phi_5604_ = _e2956;
+                                                phi_5605_ = _e2958;
+                                                phi_5606_ = false;
+                                                phi_5607_ = _e2960;
+                                                phi_5608_ = _e2962;
+                                                phi_5609_ = _e2964;
+                                                phi_5610_ = _e2966;
                                             } else {
-                                                phi_5601_ = f64();
                                                 phi_5602_ = f64();
                                                 phi_5603_ = f64();
                                                 phi_5604_ = f64();
-                                                phi_5605_ = true;
-                                                phi_5606_ = false;
+                                                phi_5605_ = f64();
+                                                phi_5606_ = true;
                                                 phi_5607_ = false;
                                                 phi_5608_ = false;
                                                 phi_5609_ = false;
+                                                phi_5610_ = false;
                                             }
-                                            let _e2967 = phi_5601_;
-                                            let _e2969 = phi_5602_;
-                                            let _e2971 = phi_5603_;
-                                            let _e2973 = phi_5604_;
-                                            let _e2975 = phi_5605_;
-                                            let _e2977 = phi_5606_;
-                                            let _e2979 = phi_5607_;
-                                            let _e2981 = phi_5608_;
-                                            let _e2983 = phi_5609_;
-                                            phi_5610_ = _e2967;
-                                            phi_5611_ = _e2969;
-                                            phi_5612_ = _e2971;
-                                            phi_5613_ = _e2973;
-                                            phi_5614_ = _e2975;
-                                            phi_5615_ = _e2977;
-                                            phi_5616_ = _e2979;
-                                            phi_5617_ = _e2981;
-                                            phi_5618_ = _e2983;
+                                            let _e2968 = phi_5602_;
+                                            let _e2970 = phi_5603_;
+                                            let _e2972 = phi_5604_;
+                                            let _e2974 = phi_5605_;
+                                            let _e2976 = phi_5606_;
+                                            let _e2978 = phi_5607_;
+                                            let _e2980 = phi_5608_;
+                                            let _e2982 = phi_5609_;
+                                            let _e2984 = phi_5610_;
+                                            phi_5611_ = _e2968;
+                                            phi_5612_ = _e2970;
+                                            phi_5613_ = _e2972;
+                                            phi_5614_ = _e2974;
+                                            phi_5615_ = _e2976;
+                                            phi_5616_ = _e2978;
+                                            phi_5617_ = _e2980;
+                                            phi_5618_ = _e2982;
+                                            phi_5619_ = _e2984;
                                         } else {
-                                            phi_5610_ = f64();
                                             phi_5611_ = f64();
                                             phi_5612_ = f64();
                                             phi_5613_ = f64();
-                                            phi_5614_ = true;
-                                            phi_5615_ = false;
+                                            phi_5614_ = f64();
+                                            phi_5615_ = true;
                                             phi_5616_ = false;
                                             phi_5617_ = false;
                                             phi_5618_ = false;
+                                            phi_5619_ = false;
                                         }
-                                        let _e2985 = phi_5610_;
-                                        let _e2987 = phi_5611_;
-                                        let _e2989 = phi_5612_;
-                                        let _e2991 = phi_5613_;
-                                        let _e2993 = phi_5614_;
-                                        let _e2995 = phi_5615_;
-                                        let _e2997 = phi_5616_;
-                                        let _e2999 = phi_5617_;
-                                        let _e3001 = phi_5618_;
-                                        if _e2993 {
-                                            if (_e1880 <= _e1882) {
-                                                let _e3159 = (_e1890 + 1u);
-                                                let _e3160 = (_e3159 > 3u);
-                                                phi_5958_ = _e3159;
-                                                phi_5959_ = f64();
-                                                phi_5960_ = false;
-                                                phi_5961_ = select(true, false, _e3160);
-                                                phi_5962_ = _e3160;
-                                            } else {
-                                                let _e3005 = local_3.member[0u];
-                                                let _e3008 = local_3.member_1[0u];
-                                                let _e3011 = local_3.member[0u];
-                                                let _e3017 = local_3.member_2[0u];
-                                                let _e3018 = ((_e3005 + ((_e3008 - _e3011) * _e1886)) - _e3017);
-                                                let _e3021 = local_3.member[1u];
-                                                let _e3024 = local_3.member_1[1u];
-                                                let _e3027 = local_3.member[1u];
-                                                let _e3033 = local_3.member_2[1u];
-                                                let _e3034 = ((_e3021 + ((_e3024 - _e3027) * _e1886)) - _e3033);
-                                                let _e3036 = select(_e3034, _e3018, (_e3018 < _e3034));
-                                                let _e3039 = local_3.member[2u];
-                                                let _e3042 = local_3.member_1[2u];
-                                                let _e3045 = local_3.member[2u];
-                                                let _e3051 = local_3.member_2[2u];
-                                                let _e3052 = ((_e3039 + ((_e3042 - _e3045) * _e1886)) - _e3051);
-                                                let _e3055 = local_3.member[3u];
-                                                let _e3058 = local_3.member_1[3u];
-                                                let _e3061 = local_3.member[3u];
-                                                let _e3067 = local_3.member_2[3u];
-                                                let _e3068 = ((_e3055 + ((_e3058 - _e3061) * _e1886)) - _e3067);
-                                                let _e3070 = select(_e3068, _e3052, (_e3052 < _e3068));
-                                                let _e3072 = select(_e3070, _e3036, (_e3036 < _e3070));
-                                                let _e3075 = local_4.member[0u];
-                                                let _e3078 = local_4.member_1[0u];
-                                                let _e3081 = local_4.member[0u];
-                                                let _e3087 = local_4.member_2[0u];
-                                                let _e3088 = ((_e3075 + ((_e3078 - _e3081) * _e1880)) - _e3087);
-                                                let _e3091 = local_4.member[1u];
-                                                let _e3094 = local_4.member_1[1u];
-                                                let _e3097 = local_4.member[1u];
-                                                let _e3103 = local_4.member_2[1u];
-                                                let _e3104 = ((_e3091 + ((_e3094 - _e3097) * _e1880)) - _e3103);
-                                                let _e3106 = select(_e3104, _e3088, (_e3088 < _e3104));
-                                                let _e3109 = local_4.member[2u];
-                                                let _e3112 = local_4.member_1[2u];
-                                                let _e3115 = local_4.member[2u];
-                                                let _e3121 = local_4.member_2[2u];
-                                                let _e3122 = ((_e3109 + ((_e3112 - _e3115) * _e1880)) - _e3121);
-                                                let _e3125 = local_4.member[3u];
-                                                let _e3128 = local_4.member_1[3u];
-                                                let _e3131 = local_4.member[3u];
-                                                let _e3137 = local_4.member_2[3u];
-                                                let _e3138 = ((_e3125 + ((_e3128 - _e3131) * _e1880)) - _e3137);
-                                                let _e3140 = select(_e3138, _e3122, (_e3122 < _e3138));
-                                                let _e3142 = select(_e3140, _e3106, (_e3106 < _e3140));
-                                                let _e3143 = f64(0.0625f);
-                                                let _e3145 = f64(0.9f);
-                                                if (_e3142 > f64(0f)) {
-                                                    phi_5956_ = f64(0.5f);
-                                                } else {
-                                                    let _e3151 = (f64(0.95f) * (_e3072 / (_e3072 - _e3142)));
-                                                    phi_5956_ = select(_e3143, select(_e3145, _e3151, (_e3151 < _e3145)), (_e3151 > _e3143));
-                                                }
-                                                let _e3157 = phi_5956_;
-                                                phi_5958_ = u32();
-                                                phi_5959_ = (_e2190 * _e3157);
-                                                phi_5960_ = true;
+                                        let _e2986 = phi_5611_;
+                                        let _e2988 = phi_5612_;
+                                        let _e2990 = phi_5613_;
+                                        let _e2992 = phi_5614_;
+                                        let _e2994 = phi_5615_;
+                                        let _e2996 = phi_5616_;
+                                        let _e2998 = phi_5617_;
+                                        let _e3000 = phi_5618_;
+                                        let _e3002 = phi_5619_;
+                                        if _e2994 {
+                                            if (_e1881 <= _e1883) {
+                                                let _e3160 = (_e1891 + 1u);
+                                                let _e3161 = (_e3160 > 3u);
+                                                phi_5959_ = _e3160;
+                                                phi_5960_ = f64();
                                                 phi_5961_ = false;
+                                                phi_5962_ = select(true, false, _e3161);
+                                                phi_5963_ = _e3161;
+                                            } else {
+                                                let _e3006 = local_3.member[0u];
+                                                let _e3009 = local_3.member_1[0u];
+                                                let _e3012 = local_3.member[0u];
+                                                let _e3018 = local_3.member_2[0u];
+                                                let _e3019 = ((_e3006 + ((_e3009 - _e3012) * _e1887)) - _e3018);
+                                                let _e3022 = local_3.member[1u];
+                                                let _e3025 = local_3.member_1[1u];
+                                                let _e3028 = local_3.member[1u];
+                                                let _e3034 = local_3.member_2[1u];
+                                                let _e3035 = ((_e3022 + ((_e3025 - _e3028) * _e1887)) - _e3034);
+                                                let _e3037 = select(_e3035, _e3019, (_e3019 < _e3035));
+                                                let _e3040 = local_3.member[2u];
+                                                let _e3043 = local_3.member_1[2u];
+                                                let _e3046 = local_3.member[2u];
+                                                let _e3052 = local_3.member_2[2u];
+                                                let _e3053 = ((_e3040 + ((_e3043 - _e3046) * _e1887)) - _e3052);
+                                                let _e3056 = local_3.member[3u];
+                                                let _e3059 = local_3.member_1[3u];
+                                                let _e3062 = local_3.member[3u];
+                                                let _e3068 = local_3.member_2[3u];
+                                                let _e3069 = ((_e3056 + ((_e3059 - _e3062) * _e1887)) - _e3068);
+                                                let _e3071 = select(_e3069, _e3053, (_e3053 < _e3069));
+                                                let _e3073 = select(_e3071, _e3037, (_e3037 < _e3071));
+                                                let _e3076 = local_4.member[0u];
+                                                let _e3079 = local_4.member_1[0u];
+                                                let _e3082 = local_4.member[0u];
+                                                let _e3088 = local_4.member_2[0u];
+                                                let _e3089 = ((_e3076 + ((_e3079 - _e3082) * _e1881)) - _e3088);
+                                                let _e3092 = local_4.member[1u];
+                                                let _e3095 = local_4.member_1[1u];
+                                                let _e3098 = local_4.member[1u];
+                                                let _e3104 = local_4.member_2[1u];
+                                                let _e3105 = ((_e3092 + ((_e3095 - _e3098) * _e1881)) - _e3104);
+                                                let _e3107 = select(_e3105, _e3089, (_e3089 < _e3105));
+                                                let _e3110 = local_4.member[2u];
+                                                let _e3113 = local_4.member_1[2u];
+                                                let _e3116 = local_4.member[2u];
+                                                let _e3122 = local_4.member_2[2u];
+                                                let _e3123 = ((_e3110 + ((_e3113 - _e3116) * _e1881)) - _e3122);
+                                                let _e3126 = local_4.member[3u];
+                                                let _e3129 = local_4.member_1[3u];
+                                                let _e3132 = local_4.member[3u];
+                                                let _e3138 = local_4.member_2[3u];
+                                                let _e3139 = ((_e3126 + ((_e3129 - _e3132) * _e1881)) - _e3138);
+                                                let _e3141 = select(_e3139, _e3123, (_e3123 < _e3139));
+                                                let _e3143 = select(_e3141, _e3107, (_e3107 < _e3141));
+                                                let _e3144 = f64(0.0625f);
+                                                let _e3146 = f64(0.9f);
+                                                if (_e3143 > f64(0f)) {
+                                                    phi_5957_ = f64(0.5f);
+                                                } else {
+                                                    let _e3152 = (f64(0.95f) * (_e3073 / (_e3073 - _e3143)));
+                                                    phi_5957_ = select(_e3144, select(_e3146, _e3152, (_e3152 < _e3146)), (_e3152 > _e3144));
+                                                }
+                                                let _e3158 = phi_5957_;
+                                                phi_5959_ = u32();
+                                                phi_5960_ = (_e2191 * _e3158);
+                                                phi_5961_ = true;
                                                 phi_5962_ = false;
+                                                phi_5963_ = false;
                                             }
-                                            let _e3163 = phi_5958_;
-                                            let _e3165 = phi_5959_;
-                                            let _e3167 = phi_5960_;
-                                            let _e3169 = phi_5961_;
-                                            let _e3171 = phi_5962_;
-                                            phi_5963_ = _e3163;
-                                            phi_5964_ = _e1882;
-                                            phi_5965_ = _e3165;
-                                            phi_5966_ = _e1884;
-                                            phi_5967_ = _e1886;
-                                            phi_5968_ = _e1888;
-                                            phi_5969_ = _e1890;
-                                            phi_5970_ = _e3167;
-                                            phi_5971_ = _e3169;
-                                            phi_5972_ = _e3171;
-                                            phi_5973_ = false;
+                                            let _e3164 = phi_5959_;
+                                            let _e3166 = phi_5960_;
+                                            let _e3168 = phi_5961_;
+                                            let _e3170 = phi_5962_;
+                                            let _e3172 = phi_5963_;
+                                            phi_5964_ = _e3164;
+                                            phi_5965_ = _e1883;
+                                            phi_5966_ = _e3166;
+                                            phi_5967_ = _e1885;
+                                            phi_5968_ = _e1887;
+                                            phi_5969_ = _e1889;
+                                            phi_5970_ = _e1891;
+                                            phi_5971_ = _e3168;
+                                            phi_5972_ = _e3170;
+                                            phi_5973_ = _e3172;
                                             phi_5974_ = false;
                                             phi_5975_ = false;
+                                            phi_5976_ = false;
                                         } else {
-                                            phi_5963_ = u32();
-                                            phi_5964_ = _e2985;
-                                            phi_5965_ = _e2987;
-                                            phi_5966_ = _e2989;
-                                            phi_5967_ = _e1880;
-                                            phi_5968_ = true;
-                                            phi_5969_ = 0u;
-                                            phi_5970_ = _e2995;
-                                            phi_5971_ = false;
+                                            phi_5964_ = u32();
+                                            phi_5965_ = _e2986;
+                                            phi_5966_ = _e2988;
+                                            phi_5967_ = _e2990;
+                                            phi_5968_ = _e1881;
+                                            phi_5969_ = true;
+                                            phi_5970_ = 0u;
+                                            phi_5971_ = _e2996;
                                             phi_5972_ = false;
-                                            phi_5973_ = _e2997;
-                                            phi_5974_ = _e2999;
-                                            phi_5975_ = _e3001;
+                                            phi_5973_ = false;
+                                            phi_5974_ = _e2998;
+                                            phi_5975_ = _e3000;
+                                            phi_5976_ = _e3002;
                                         }
-                                        let _e3173 = phi_5963_;
-                                        let _e3175 = phi_5964_;
-                                        let _e3177 = phi_5965_;
-                                        let _e3179 = phi_5966_;
-                                        let _e3181 = phi_5967_;
-                                        let _e3183 = phi_5968_;
-                                        let _e3185 = phi_5969_;
-                                        let _e3187 = phi_5970_;
-                                        let _e3189 = phi_5971_;
-                                        let _e3191 = phi_5972_;
-                                        let _e3193 = phi_5973_;
-                                        let _e3195 = phi_5974_;
-                                        let _e3197 = phi_5975_;
-                                        if _e3187 {
-                                            let _e3198 = (_e3181 + _e3177);
-                                            let _e3200 = select(_e3175, _e3198, (_e3198 > _e3175));
-                                            let _e3202 = select(_e551, _e3200, (_e3200 < _e551));
-                                            let _e3205 = select(((_e3202 - _e3181) > _e1869), true, !(_e1888));
-                                            phi_6003_ = _e3202;
-                                            phi_6004_ = _e3175;
-                                            phi_6005_ = _e3179;
-                                            phi_6006_ = _e3181;
-                                            phi_6007_ = _e3183;
-                                            phi_6008_ = _e3185;
-                                            phi_6009_ = _e3205;
-                                            phi_6010_ = select(true, false, _e3205);
-                                            phi_6011_ = false;
+                                        let _e3174 = phi_5964_;
+                                        let _e3176 = phi_5965_;
+                                        let _e3178 = phi_5966_;
+                                        let _e3180 = phi_5967_;
+                                        let _e3182 = phi_5968_;
+                                        let _e3184 = phi_5969_;
+                                        let _e3186 = phi_5970_;
+                                        let _e3188 = phi_5971_;
+                                        let _e3190 = phi_5972_;
+                                        let _e3192 = phi_5973_;
+                                        let _e3194 = phi_5974_;
+                                        let _e3196 = phi_5975_;
+                                        let _e3198 = phi_5976_;
+                                        if _e3188 {
+                                            let _e3199 = (_e3182 + _e3178);
+                                            let _e3201 = select(_e3176, _e3199, (_e3199 > _e3176));
+                                            let _e3203 = select(_e552, _e3201, (_e3201 < _e552));
+                                            let _e3206 = select(((_e3203 - _e3182) > _e1870), true, !(_e1889));
+                                            phi_6004_ = _e3203;
+                                            phi_6005_ = _e3176;
+                                            phi_6006_ = _e3180;
+                                            phi_6007_ = _e3182;
+                                            phi_6008_ = _e3184;
+                                            phi_6009_ = _e3186;
+                                            phi_6010_ = _e3206;
+                                            phi_6011_ = select(true, false, _e3206);
                                             phi_6012_ = false;
                                             phi_6013_ = false;
                                             phi_6014_ = false;
+                                            phi_6015_ = false;
                                         } else {
-                                            phi_6003_ = _e1880;
-                                            phi_6004_ = _e1882;
-                                            phi_6005_ = _e1884;
-                                            phi_6006_ = _e1886;
-                                            phi_6007_ = _e1888;
-                                            phi_6008_ = _e3173;
-                                            phi_6009_ = _e3189;
-                                            phi_6010_ = false;
-                                            phi_6011_ = _e3191;
-                                            phi_6012_ = _e3193;
-                                            phi_6013_ = _e3195;
-                                            phi_6014_ = _e3197;
+                                            phi_6004_ = _e1881;
+                                            phi_6005_ = _e1883;
+                                            phi_6006_ = _e1885;
+                                            phi_6007_ = _e1887;
+                                            phi_6008_ = _e1889;
+                                            phi_6009_ = _e3174;
+                                            phi_6010_ = _e3190;
+                                            phi_6011_ = false;
+                                            phi_6012_ = _e3192;
+                                            phi_6013_ = _e3194;
+                                            phi_6014_ = _e3196;
+                                            phi_6015_ = _e3198;
                                         }
-                                        let _e3208 = phi_6003_;
-                                        let _e3210 = phi_6004_;
-                                        let _e3212 = phi_6005_;
-                                        let _e3214 = phi_6006_;
-                                        let _e3216 = phi_6007_;
-                                        let _e3218 = phi_6008_;
-                                        let _e3220 = phi_6009_;
-                                        let _e3222 = phi_6010_;
-                                        let _e3224 = phi_6011_;
-                                        let _e3226 = phi_6012_;
-                                        let _e3228 = phi_6013_;
-                                        let _e3230 = phi_6014_;
-                                        phi_3793_ = _e3208;
-                                        phi_3795_ = _e3210;
-                                        phi_3797_ = _e3212;
-                                        phi_3799_ = _e3214;
-                                        phi_3801_ = _e3216;
-                                        phi_3803_ = _e3218;
-                                        phi_6015_ = _e3175;
-                                        phi_6016_ = _e2991;
-                                        phi_6017_ = _e3220;
-                                        phi_6018_ = _e3222;
-                                        phi_6019_ = _e3224;
-                                        phi_6020_ = _e3226;
-                                        phi_6021_ = _e3228;
-                                        phi_6022_ = false;
-                                        phi_6023_ = _e3230;
+                                        let _e3209 = phi_6004_;
+                                        let _e3211 = phi_6005_;
+                                        let _e3213 = phi_6006_;
+                                        let _e3215 = phi_6007_;
+                                        let _e3217 = phi_6008_;
+                                        let _e3219 = phi_6009_;
+                                        let _e3221 = phi_6010_;
+                                        let _e3223 = phi_6011_;
+                                        let _e3225 = phi_6012_;
+                                        let _e3227 = phi_6013_;
+                                        let _e3229 = phi_6014_;
+                                        let _e3231 = phi_6015_;
+                                        phi_3794_ = _e3209;
+                                        phi_3796_ = _e3211;
+                                        phi_3798_ = _e3213;
+                                        phi_3800_ = _e3215;
+                                        phi_3802_ = _e3217;
+                                        phi_3804_ = _e3219;
+                                        phi_6016_ = _e3176;
+                                        phi_6017_ = _e2992;
+                                        phi_6018_ = _e3221;
+                                        phi_6019_ = _e3223;
+                                        phi_6020_ = _e3225;
+                                        phi_6021_ = _e3227;
+                                        phi_6022_ = _e3229;
+                                        phi_6023_ = false;
+                                        phi_6024_ = _e3231;
                                     } else {
-                                        phi_3793_ = f64();
-                                        phi_3795_ = f64();
-                                        phi_3797_ = f64();
-                                        phi_3799_ = f64();
-                                        phi_3801_ = bool();
-                                        phi_3803_ = u32();
-                                        phi_6015_ = f64();
+                                        phi_3794_ = f64();
+                                        phi_3796_ = f64();
+                                        phi_3798_ = f64();
+                                        phi_3800_ = f64();
+                                        phi_3802_ = bool();
+                                        phi_3804_ = u32();
                                         phi_6016_ = f64();
-                                        phi_6017_ = false;
+                                        phi_6017_ = f64();
                                         phi_6018_ = false;
                                         phi_6019_ = false;
                                         phi_6020_ = false;
                                         phi_6021_ = false;
-                                        phi_6022_ = true;
-                                        phi_6023_ = false;
+                                        phi_6022_ = false;
+                                        phi_6023_ = true;
+                                        phi_6024_ = false;
                                     }
-                                    let _e3232 = phi_3793_;
-                                    let _e3234 = phi_3795_;
-                                    let _e3236 = phi_3797_;
-                                    let _e3238 = phi_3799_;
-                                    let _e3240 = phi_3801_;
-                                    let _e3242 = phi_3803_;
-                                    let _e3244 = phi_6015_;
-                                    let _e3246 = phi_6016_;
-                                    let _e3248 = phi_6017_;
-                                    let _e3250 = phi_6018_;
-                                    let _e3252 = phi_6019_;
-                                    let _e3254 = phi_6020_;
-                                    let _e3256 = phi_6021_;
-                                    let _e3258 = phi_6022_;
-                                    let _e3260 = phi_6023_;
-                                    local_10 = _e3250;
-                                    local_11 = _e3252;
-                                    local_12 = _e3250;
-                                    local_13 = _e3254;
-                                    local_14 = _e3250;
-                                    local_15 = _e3256;
-                                    local_16 = _e3250;
-                                    local_17 = _e3258;
-                                    local_18 = _e3250;
-                                    local_19 = _e3260;
-                                    local_21 = _e3250;
-                                    local_22 = _e3246;
-                                    local_23 = _e3244;
+                                    let _e3233 = phi_3794_;
+                                    let _e3235 = phi_3796_;
+                                    let _e3237 = phi_3798_;
+                                    let _e3239 = phi_3800_;
+                                    let _e3241 = phi_3802_;
+                                    let _e3243 = phi_3804_;
+                                    let _e3245 = phi_6016_;
+                                    let _e3247 = phi_6017_;
+                                    let _e3249 = phi_6018_;
+                                    let _e3251 = phi_6019_;
+                                    let _e3253 = phi_6020_;
+                                    let _e3255 = phi_6021_;
+                                    let _e3257 = phi_6022_;
+                                    let _e3259 = phi_6023_;
+                                    let _e3261 = phi_6024_;
+                                    local_10 = _e3251;
+                                    local_11 = _e3253;
+                                    local_12 = _e3251;
+                                    local_13 = _e3255;
+                                    local_14 = _e3251;
+                                    local_15 = _e3257;
+                                    local_16 = _e3251;
+                                    local_17 = _e3259;
+                                    local_18 = _e3251;
+                                    local_19 = _e3261;
+                                    local_21 = _e3251;
+                                    local_22 = _e3247;
+                                    local_23 = _e3245;
                                     continue;
                                     continuing {
-                                        phi_3789_ = type_9(select(_e1878.member, (_e1878.member + 1u), _e1893), select(_e1878.member_1, _e1878.member_1, _e1893));
-                                        phi_3792_ = _e3232;
-                                        phi_3794_ = _e3234;
-                                        phi_3796_ = _e3236;
-                                        phi_3798_ = _e3238;
-                                        phi_3800_ = _e3240;
-                                        phi_3802_ = _e3242;
-                                        break if !(_e3248);
+                                        phi_3790_ = type_9(select(_e1879.member, (_e1879.member + 1u), _e1894), select(_e1879.member_1, _e1879.member_1, _e1894));
+                                        phi_3793_ = _e3233;
+                                        phi_3795_ = _e3235;
+                                        phi_3797_ = _e3237;
+                                        phi_3799_ = _e3239;
+                                        phi_3801_ = _e3241;
+                                        phi_3803_ = _e3243;
+                                        break if !(_e3249);
                                     }
                                 }
-                                let _e3263 = local_10;
-                                let _e3265 = local_11;
-                                let _e3266 = select(_e3265, false, _e3263);
-                                let _e3268 = local_12;
-                                let _e3270 = local_13;
-                                let _e3273 = local_14;
-                                let _e3275 = local_15;
-                                let _e3278 = local_16;
-                                let _e3280 = local_17;
-                                let _e3283 = local_18;
-                                let _e3285 = local_19;
-                                let _e3291 = local_20;
-                                let _e3293 = select(select(_e3270, false, _e3268), false, _e3266);
-                                let _e3296 = local_21;
-                                let _e3303 = select(select(select(_e3275, false, _e3273), false, _e3266), false, _e3293);
-                                let _e3309 = local_22;
-                                let _e3311 = local_23;
-                                let _e3313 = select(select(select(_e3296, false, _e3266), false, _e3293), true, _e3303);
-                                let _e3318 = local_24;
-                                let _e3320 = select(select(select(select(select(_e3280, false, _e3278), false, _e3266), false, _e3293), false, _e3303), true, _e3313);
-                                let _e3327 = select(select(select(select(select(select(_e3285, false, _e3283), false, _e3266), false, _e3293), false, _e3303), false, _e3313), false, _e3320);
-                                let _e3332 = select(select(select(select(select(_e3266, true, _e3293), false, _e3303), false, _e3313), false, _e3320), true, _e3327);
-                                phi_6090_ = select(select(type_37().member_1, select(_e3318, select(_e3311, _e3309, _e3303), _e3313), _e3320), select(select(select(type_37().member_1, _e3291, _e3266), type_37().member_1, _e3293), type_37().member_1, _e3327), _e3332);
-                                phi_6091_ = (select(select(type_37().member, 1u, _e3320), select(select(select(type_37().member, 1u, _e3266), 0u, _e3293), 0u, _e3327), _e3332) != 0u);
+                                let _e3264 = local_10;
+                                let _e3266 = local_11;
+                                let _e3267 = select(_e3266, false, _e3264);
+                                let _e3269 = local_12;
+                                let _e3271 = local_13;
+                                let _e3274 = local_14;
+                                let _e3276 = local_15;
+                                let _e3279 = local_16;
+                                let _e3281 = local_17;
+                                let _e3284 = local_18;
+                                let _e3286 = local_19;
+                                let _e3292 = local_20;
+                                let _e3294 = select(select(_e3271, false, _e3269), false, _e3267);
+                                let _e3297 = local_21;
+                                let _e3304 = select(select(select(_e3276, false, _e3274), false, _e3267), false, _e3294);
+                                let _e3310 = local_22;
+                                let _e3312 = local_23;
+                                let _e3314 = select(select(select(_e3297, false, _e3267), false, _e3294), true, _e3304);
+                                let _e3319 = local_24;
+                                let _e3321 = select(select(select(select(select(_e3281, false, _e3279), false, _e3267), false, _e3294), false, _e3304), true, _e3314);
+                                let _e3328 = select(select(select(select(select(select(_e3286, false, _e3284), false, _e3267), false, _e3294), false, _e3304), false, _e3314), false, _e3321);
+                                let _e3333 = select(select(select(select(select(_e3267, true, _e3294), false, _e3304), false, _e3314), false, _e3321), true, _e3328);
+                                phi_6091_ = select(select(type_37().member_1, select(_e3319, select(_e3312, _e3310, _e3304), _e3314), _e3321), select(select(select(type_37().member_1, _e3292, _e3267), type_37().member_1, _e3294), type_37().member_1, _e3328), _e3333);
+                                phi_6092_ = (select(select(type_37().member, 1u, _e3321), select(select(select(type_37().member, 1u, _e3267), 0u, _e3294), 0u, _e3328), _e3333) != 0u);
                             } else {
-                                phi_6090_ = _e1632;
-                                phi_6091_ = true;
+                                phi_6091_ = _e1633;
+                                phi_6092_ = true;
                             }
-                            let _e3337 = phi_6090_;
-                            let _e3339 = phi_6091_;
-                            if _e3339 {
-                                let _e3340 = (_e3337 > _e542);
-                                if _e3340 {
-                                    phi_8298_ = f64();
-                                    phi_8299_ = u32();
-                                    phi_8300_ = f64();
-                                    phi_8301_ = type_42();
-                                    phi_8302_ = u32();
+                            let _e3338 = phi_6091_;
+                            let _e3340 = phi_6092_;
+                            if _e3340 {
+                                let _e3341 = (_e3338 > _e543);
+                                if _e3341 {
+                                    phi_8299_ = f64();
+                                    phi_8300_ = u32();
+                                    phi_8301_ = f64();
+                                    phi_8302_ = type_42();
                                     phi_8303_ = u32();
-                                    phi_8304_ = false;
+                                    phi_8304_ = u32();
                                     phi_8305_ = false;
                                     phi_8306_ = false;
+                                    phi_8307_ = false;
                                 } else {
-                                    let _e3344 = local_5.member[0u];
-                                    let _e3350 = local_5.member[1u];
-                                    let _e3366 = local_5.member_1[0u];
-                                    let _e3372 = local_5.member_1[1u];
-                                    let _e3388 = local_5.member_2[0u];
-                                    let _e3394 = local_5.member_2[1u];
-                                    let _e3408 = function_4(array<f64, 3>((_e3344[0] + ((_e3350[0] - _e3344[0]) * _e1636)), (_e3344[1] + ((_e3350[1] - _e3344[1]) * _e1636)), (_e3344[2] + ((_e3350[2] - _e3344[2]) * _e1636))), array<f64, 3>((_e3366[0] + ((_e3372[0] - _e3366[0]) * _e1636)), (_e3366[1] + ((_e3372[1] - _e3366[1]) * _e1636)), (_e3366[2] + ((_e3372[2] - _e3366[2]) * _e1636))), array<f64, 3>((_e3388[0] + ((_e3394[0] - _e3388[0]) * _e1636)), (_e3388[1] + ((_e3394[1] - _e3388[1]) * _e1636)), (_e3388[2] + ((_e3394[2] - _e3388[2]) * _e1636))), _e230.member);
-                                    let _e3422 = ((select(_e3408[0], -(_e3408[0]), (_e3408[0] < 0.0lf)) + select(_e3408[1], -(_e3408[1]), (_e3408[1] < 0.0lf))) + select(_e3408[2], -(_e3408[2]), (_e3408[2] < 0.0lf)));
-                                    let _e3425 = local_5.member[0u];
-                                    let _e3431 = local_5.member_1[0u];
-                                    let _e3437 = local_5.member_2[0u];
-                                    let _e3441 = (_e3425[0] - _e3431[0]);
-                                    let _e3442 = (_e3425[1] - _e3431[1]);
-                                    let _e3443 = (_e3425[2] - _e3431[2]);
-                                    let _e3444 = (_e230.member == 0u);
-                                    let _e3456 = local_5.member[1u];
-                                    let _e3462 = local_5.member_1[1u];
-                                    let _e3468 = local_5.member_2[1u];
-                                    let _e3472 = (_e3456[0] - _e3462[0]);
-                                    let _e3473 = (_e3456[1] - _e3462[1]);
-                                    let _e3474 = (_e3456[2] - _e3462[2]);
-                                    let _e3475 = (_e230.member == 0u);
-                                    let _e3487 = local_5.member[0u];
-                                    let _e3493 = select(_e3487[0], -(_e3487[0]), (_e3487[0] < 0.0lf));
-                                    let _e3496 = select(_e3487[1], -(_e3487[1]), (_e3487[1] < 0.0lf));
-                                    let _e3498 = select(_e3496, _e3493, (_e3493 > _e3496));
-                                    let _e3501 = select(_e3487[2], -(_e3487[2]), (_e3487[2] < 0.0lf));
-                                    let _e3503 = select(_e3501, _e3498, (_e3498 > _e3501));
-                                    let _e3506 = local_5.member[1u];
-                                    let _e3512 = select(_e3506[0], -(_e3506[0]), (_e3506[0] < 0.0lf));
-                                    let _e3515 = select(_e3506[1], -(_e3506[1]), (_e3506[1] < 0.0lf));
-                                    let _e3517 = select(_e3515, _e3512, (_e3512 > _e3515));
-                                    let _e3520 = select(_e3506[2], -(_e3506[2]), (_e3506[2] < 0.0lf));
-                                    let _e3522 = select(_e3520, _e3517, (_e3517 > _e3520));
-                                    let _e3526 = local_5.member_3;
-                                    let _e3530 = local_5.member_1[0u];
-                                    let _e3536 = select(_e3530[0], -(_e3530[0]), (_e3530[0] < 0.0lf));
-                                    let _e3539 = select(_e3530[1], -(_e3530[1]), (_e3530[1] < 0.0lf));
-                                    let _e3541 = select(_e3539, _e3536, (_e3536 > _e3539));
-                                    let _e3544 = select(_e3530[2], -(_e3530[2]), (_e3530[2] < 0.0lf));
-                                    let _e3546 = select(_e3544, _e3541, (_e3541 > _e3544));
-                                    let _e3549 = local_5.member_1[1u];
-                                    let _e3555 = select(_e3549[0], -(_e3549[0]), (_e3549[0] < 0.0lf));
-                                    let _e3558 = select(_e3549[1], -(_e3549[1]), (_e3549[1] < 0.0lf));
-                                    let _e3560 = select(_e3558, _e3555, (_e3555 > _e3558));
-                                    let _e3563 = select(_e3549[2], -(_e3549[2]), (_e3549[2] < 0.0lf));
-                                    let _e3565 = select(_e3563, _e3560, (_e3560 > _e3563));
-                                    let _e3569 = local_5.member_3;
-                                    let _e3573 = local_5.member_2[0u];
-                                    let _e3579 = select(_e3573[0], -(_e3573[0]), (_e3573[0] < 0.0lf));
-                                    let _e3582 = select(_e3573[1], -(_e3573[1]), (_e3573[1] < 0.0lf));
-                                    let _e3584 = select(_e3582, _e3579, (_e3579 > _e3582));
-                                    let _e3587 = select(_e3573[2], -(_e3573[2]), (_e3573[2] < 0.0lf));
-                                    let _e3589 = select(_e3587, _e3584, (_e3584 > _e3587));
-                                    let _e3592 = local_5.member_2[1u];
-                                    let _e3598 = select(_e3592[0], -(_e3592[0]), (_e3592[0] < 0.0lf));
-                                    let _e3601 = select(_e3592[1], -(_e3592[1]), (_e3592[1] < 0.0lf));
-                                    let _e3603 = select(_e3601, _e3598, (_e3598 > _e3601));
-                                    let _e3606 = select(_e3592[2], -(_e3592[2]), (_e3592[2] < 0.0lf));
-                                    let _e3608 = select(_e3606, _e3603, (_e3603 > _e3606));
-                                    let _e3612 = local_5.member_3;
-                                    let _e3620 = local_5.member_3;
-                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3425, array<f64, 3>(_e3441, _e3442, _e3443), array<f64, 3>((_e3425[0] - _e3437[0]), (_e3425[1] - _e3437[1]), (_e3425[2] - _e3437[2])), array<f64, 3>(select((_e3441 - _e3437[0]), _e3425[0], _e3444), select((_e3442 - _e3437[1]), _e3425[1], _e3444), select((_e3443 - _e3437[2]), _e3425[2], _e3444))), array<array<f64, 3>, 4>(_e3456, array<f64, 3>(_e3472, _e3473, _e3474), array<f64, 3>((_e3456[0] - _e3468[0]), (_e3456[1] - _e3468[1]), (_e3456[2] - _e3468[2])), array<f64, 3>(select((_e3472 - _e3468[0]), _e3456[0], _e3475), select((_e3473 - _e3468[1]), _e3456[1], _e3475), select((_e3474 - _e3468[2]), _e3456[2], _e3475)))), ((((((select(_e3522, _e3503, (_e3503 > _e3522)) + _e3526) + (select(_e3565, _e3546, (_e3546 > _e3565)) + _e3569)) + (select(_e3608, _e3589, (_e3589 > _e3608)) + _e3612)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3620 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e905.member_1);
-                                    let _e3638 = local_1.member_1;
-                                    if (_e3422 > _e3638) {
-                                        if ((bitcast<u64>(_e3422) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                            let _e3644 = (f64(1f) / _e3422);
-                                            let _e3646 = (_e3408[0] * _e3644);
-                                            let _e3648 = (_e3408[1] * _e3644);
-                                            let _e3650 = (_e3408[2] * _e3644);
-                                            let _e3655 = (((_e3646 * _e3646) + (_e3648 * _e3648)) + (_e3650 * _e3650));
-                                            if (_e3655 <= 2.2250738585072014e-308lf) {
-                                                phi_6773_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3655 > 0.0lf));
+                                    let _e3345 = local_5.member[0u];
+                                    let _e3351 = local_5.member[1u];
+                                    let _e3367 = local_5.member_1[0u];
+                                    let _e3373 = local_5.member_1[1u];
+                                    let _e3389 = local_5.member_2[0u];
+                                    let _e3395 = local_5.member_2[1u];
+                                    let _e3409 = function_4(array<f64, 3>((_e3345[0] + ((_e3351[0] - _e3345[0]) * _e1637)), (_e3345[1] + ((_e3351[1] - _e3345[1]) * _e1637)), (_e3345[2] + ((_e3351[2] - _e3345[2]) * _e1637))), array<f64, 3>((_e3367[0] + ((_e3373[0] - _e3367[0]) * _e1637)), (_e3367[1] + ((_e3373[1] - _e3367[1]) * _e1637)), (_e3367[2] + ((_e3373[2] - _e3367[2]) * _e1637))), array<f64, 3>((_e3389[0] + ((_e3395[0] - _e3389[0]) * _e1637)), (_e3389[1] + ((_e3395[1] - _e3389[1]) * _e1637)), (_e3389[2] + ((_e3395[2] - _e3389[2]) * _e1637))), _e231.member);
+                                    let _e3423 = ((select(_e3409[0], -(_e3409[0]), (_e3409[0] < 0.0lf)) + select(_e3409[1], -(_e3409[1]), (_e3409[1] < 0.0lf))) + select(_e3409[2], -(_e3409[2]), (_e3409[2] < 0.0lf)));
+                                    let _e3426 = local_5.member[0u];
+                                    let _e3432 = local_5.member_1[0u];
+                                    let _e3438 = local_5.member_2[0u];
+                                    let _e3442 = (_e3426[0] - _e3432[0]);
+                                    let _e3443 = (_e3426[1] - _e3432[1]);
+                                    let _e3444 = (_e3426[2] - _e3432[2]);
+                                    let _e3445 = (_e231.member == 0u);
+                                    let _e3457 = local_5.member[1u];
+                                    let _e3463 = local_5.member_1[1u];
+                                    let _e3469 = local_5.member_2[1u];
+                                    let _e3473 = (_e3457[0] - _e3463[0]);
+                                    let _e3474 = (_e3457[1] - _e3463[1]);
+                                    let _e3475 = (_e3457[2] - _e3463[2]);
+                                    let _e3476 = (_e231.member == 0u);
+                                    let _e3488 = local_5.member[0u];
+                                    let _e3494 = select(_e3488[0], -(_e3488[0]), (_e3488[0] < 0.0lf));
+                                    let _e3497 = select(_e3488[1], -(_e3488[1]), (_e3488[1] < 0.0lf));
+                                    let _e3499 = select(_e3497, _e3494, (_e3494 > _e3497));
+                                    let _e3502 = select(_e3488[2], -(_e3488[2]), (_e3488[2] < 0.0lf));
+                                    let _e3504 = select(_e3502, _e3499, (_e3499 > _e3502));
+                                    let _e3507 = local_5.member[1u];
+                                    let _e3513 = select(_e3507[0], -(_e3507[0]), (_e3507[0] < 0.0lf));
+                                    let _e3516 = select(_e3507[1], -(_e3507[1]), (_e3507[1] < 0.0lf));
+                                    let _e3518 = select(_e3516, _e3513, (_e3513 > _e3516));
+                                    let _e3521 = select(_e3507[2], -(_e3507[2]), (_e3507[2] < 0.0lf));
+                                    let _e3523 = select(_e3521, _e3518, (_e3518 > _e3521));
+                                    let _e3527 = local_5.member_3;
+                                    let _e3531 = local_5.member_1[0u];
+                                    let _e3537 = select(_e3531[0], -(_e3531[0]), (_e3531[0] < 0.0lf));
+                                    let _e3540 = select(_e3531[1], -(_e3531[1]), (_e3531[1] < 0.0lf));
+                                    let _e3542 = select(_e3540, _e3537, (_e3537 > _e3540));
+                                    let _e3545 = select(_e3531[2], -(_e3531[2]), (_e3531[2] < 0.0lf));
+                                    let _e3547 = select(_e3545, _e3542, (_e3542 > _e3545));
+                                    let _e3550 = local_5.member_1[1u];
+                                    let _e3556 = select(_e3550[0], -(_e3550[0]), (_e3550[0] < 0.0lf));
+                                    let _e3559 = select(_e3550[1], -(_e3550[1]), (_e3550[1] < 0.0lf));
+                                    let _e3561 = select(_e3559, _e3556, (_e3556 > _e3559));
+                                    let _e3564 = select(_e3550[2], -(_e3550[2]), (_e3550[2] < 0.0lf));
+                                    let _e3566 = select(_e3564, _e3561, (_e3561 > _e3564));
+                                    let _e3570 = local_5.member_3;
+                                    let _e3574 = local_5.member_2[0u];
+                                    let _e3580 = select(_e3574[0], -(_e3574[0]), (_e3574[0] < 0.0lf));
+                                    let _e3583 = select(_e3574[1], -(_e3574[1]), (_e3574[1] < 0.0lf));
+                                    let _e3585 = select(_e3583, _e3580, (_e3580 > _e3583));
+                                    let _e3588 = select(_e3574[2], -(_e3574[2]), (_e3574[2] < 0.0lf));
+                                    let _e3590 = select(_e3588, _e3585, (_e3585 > _e3588));
+                                    let _e3593 = local_5.member_2[1u];
+                                    let _e3599 = select(_e3593[0], -(_e3593[0]), (_e3593[0] < 0.0lf));
+                                    let _e3602 = select(_e3593[1], -(_e3593[1]), (_e3593[1] < 0.0lf));
+                                    let _e3604 = select(_e3602, _e3599, (_e3599 > _e3602));
+                                    let _e3607 = select(_e3593[2], -(_e3593[2]), (_e3593[2] < 0.0lf));
+                                    let _e3609 = select(_e3607, _e3604, (_e3604 > _e3607));
+                                    let _e3613 = local_5.member_3;
+                                    let _e3621 = local_5.member_3;
+                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3426, array<f64, 3>(_e3442, _e3443, _e3444), array<f64, 3>((_e3426[0] - _e3438[0]), (_e3426[1] - _e3438[1]), (_e3426[2] - _e3438[2])), array<f64, 3>(select((_e3442 - _e3438[0]), _e3426[0], _e3445), select((_e3443 - _e3438[1]), _e3426[1], _e3445), select((_e3444 - _e3438[2]), _e3426[2], _e3445))), array<array<f64, 3>, 4>(_e3457, array<f64, 3>(_e3473, _e3474, _e3475), array<f64, 3>((_e3457[0] - _e3469[0]), (_e3457[1] - _e3469[1]), (_e3457[2] - _e3469[2])), array<f64, 3>(select((_e3473 - _e3469[0]), _e3457[0], _e3476), select((_e3474 - _e3469[1]), _e3457[1], _e3476), select((_e3475 - _e3469[2]), _e3457[2], _e3476)))), ((((((select(_e3523, _e3504, (_e3504 > _e3523)) + _e3527) + (select(_e3566, _e3547, (_e3547 > _e3566)) + _e3570)) + (select(_e3609, _e3590, (_e3590 > _e3609)) + _e3613)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3621 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e906.member_1);
+                                    let _e3639 = local_1.member_1;
+                                    if (_e3423 > _e3639) {
+                                        if ((bitcast<u64>(_e3423) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                            let _e3645 = (f64(1f) / _e3423);
+                                            let _e3647 = (_e3409[0] * _e3645);
+                                            let _e3649 = (_e3409[1] * _e3645);
+                                            let _e3651 = (_e3409[2] * _e3645);
+                                            let _e3656 = (((_e3647 * _e3647) + (_e3649 * _e3649)) + (_e3651 * _e3651));
+                                            if (_e3656 <= 2.2250738585072014e-308lf) {
+                                                phi_6774_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3656 > 0.0lf));
                                             } else {
-                                                phi_6716_ = type_16(0i, 5i);
-                                                phi_6719_ = bitcast<f64>(((bitcast<u64>(_e3655) / 2lu) + 2303426169912950784lu));
+                                                phi_6717_ = type_16(0i, 5i);
+                                                phi_6720_ = bitcast<f64>(((bitcast<u64>(_e3656) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3662 = phi_6716_;
-                                                    let _e3664 = phi_6719_;
-                                                    local_25 = _e3664;
-                                                    if (_e3662.member < _e3662.member_1) {
-                                                        let _e3671 = (_e3662.member + 1i);
-                                                        phi_6717_ = type_16(select(_e3671, type_17().member_1, select(false, true, ((false == (_e3671 > _e3662.member)) != false))), _e3662.member_1);
-                                                        phi_6760_ = type_17(1u, _e3662.member);
+                                                    let _e3663 = phi_6717_;
+                                                    let _e3665 = phi_6720_;
+                                                    local_25 = _e3665;
+                                                    if (_e3663.member < _e3663.member_1) {
+                                                        let _e3672 = (_e3663.member + 1i);
+                                                        phi_6718_ = type_16(select(_e3672, type_17().member_1, select(false, true, ((false == (_e3672 > _e3663.member)) != false))), _e3663.member_1);
+                                                        phi_6761_ = type_17(1u, _e3663.member);
                                                     } else {
-                                                        phi_6717_ = _e3662;
-                                                        phi_6760_ = type_17(0u, type_17().member_1);
+                                                        phi_6718_ = _e3663;
+                                                        phi_6761_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3682 = phi_6717_;
-                                                    let _e3684 = phi_6760_;
-                                                    let _e3687 = (bitcast<i32>(_e3684.member) != 0i);
-                                                    if _e3687 {
-                                                        phi_6720_ = (0.5lf * (_e3664 + (_e3655 / _e3664)));
+                                                    let _e3683 = phi_6718_;
+                                                    let _e3685 = phi_6761_;
+                                                    let _e3688 = (bitcast<i32>(_e3685.member) != 0i);
+                                                    if _e3688 {
+                                                        phi_6721_ = (0.5lf * (_e3665 + (_e3656 / _e3665)));
                                                     } else {
-                                                        phi_6720_ = f64();
+                                                        phi_6721_ = f64();
                                                     }
-                                                    let _e3692 = phi_6720_;
+                                                    let _e3693 = phi_6721_;
                                                     continue;
                                                     continuing {
-                                                        phi_6716_ = _e3682;
-                                                        phi_6719_ = _e3692;
-                                                        break if !(_e3687);
+                                                        phi_6717_ = _e3683;
+                                                        phi_6720_ = _e3693;
+                                                        break if !(_e3688);
                                                     }
                                                 }
-                                                let _e3697 = local_25;
-                                                phi_6773_ = (_e3697 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3698 = local_25;
+                                                phi_6774_ = (_e3698 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3703 = phi_6773_;
-                                            let _e3705 = (1.1102230246251565e-16lf * f64(12f));
-                                            let _e3707 = local_1.member_1;
-                                            let _e3711 = local_1.member_2;
-                                            let _e3716 = ((_e3707 * f64(1.01f)) + ((_e3711 * _e3703) * (f64(1f) + _e3705)));
-                                            let _e3720 = local_1.member[0u][0u];
-                                            let _e3728 = (((_e3646 * _e3720[0]) + (_e3648 * _e3720[1])) + (_e3650 * _e3720[2]));
-                                            let _e3732 = local_1.member[0u][1u];
-                                            let _e3740 = (((_e3646 * _e3732[0]) + (_e3648 * _e3732[1])) + (_e3650 * _e3732[2]));
-                                            let _e3744 = local_1.member[0u][2u];
-                                            let _e3752 = (((_e3646 * _e3744[0]) + (_e3648 * _e3744[1])) + (_e3650 * _e3744[2]));
-                                            let _e3756 = local_1.member[0u][3u];
-                                            let _e3764 = (((_e3646 * _e3756[0]) + (_e3648 * _e3756[1])) + (_e3650 * _e3756[2]));
-                                            let _e3768 = local_1.member[1u][0u];
-                                            let _e3776 = (((_e3646 * _e3768[0]) + (_e3648 * _e3768[1])) + (_e3650 * _e3768[2]));
-                                            let _e3780 = local_1.member[1u][1u];
-                                            let _e3788 = (((_e3646 * _e3780[0]) + (_e3648 * _e3780[1])) + (_e3650 * _e3780[2]));
-                                            let _e3792 = local_1.member[1u][2u];
-                                            let _e3800 = (((_e3646 * _e3792[0]) + (_e3648 * _e3792[1])) + (_e3650 * _e3792[2]));
-                                            let _e3804 = local_1.member[1u][3u];
-                                            let _e3812 = (((_e3646 * _e3804[0]) + (_e3648 * _e3804[1])) + (_e3650 * _e3804[2]));
-                                            local_2 = type_39(array<f64, 4>(_e3728, _e3740, _e3752, _e3764), array<f64, 4>(_e3776, _e3788, _e3800, _e3812), array<f64, 4>((_e3716 + ((select(_e3728, -(_e3728), (_e3728 < 0.0lf)) + select(_e3776, -(_e3776), (_e3776 < 0.0lf))) * _e3705)), (_e3716 + ((select(_e3740, -(_e3740), (_e3740 < 0.0lf)) + select(_e3788, -(_e3788), (_e3788 < 0.0lf))) * _e3705)), (_e3716 + ((select(_e3752, -(_e3752), (_e3752 < 0.0lf)) + select(_e3800, -(_e3800), (_e3800 < 0.0lf))) * _e3705)), (_e3716 + ((select(_e3764, -(_e3764), (_e3764 < 0.0lf)) + select(_e3812, -(_e3812), (_e3812 < 0.0lf))) * _e3705))));
-                                            let _e3857 = (((_e3646 * _e3646) + (_e3648 * _e3648)) + (_e3650 * _e3650));
-                                            if (_e3857 <= 2.2250738585072014e-308lf) {
-                                                phi_7068_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3857 > 0.0lf));
+                                            let _e3704 = phi_6774_;
+                                            let _e3706 = (1.1102230246251565e-16lf * f64(12f));
+                                            let _e3708 = local_1.member_1;
+                                            let _e3712 = local_1.member_2;
+                                            let _e3717 = ((_e3708 * f64(1.01f)) + ((_e3712 * _e3704) * (f64(1f) + _e3706)));
+                                            let _e3721 = local_1.member[0u][0u];
+                                            let _e3729 = (((_e3647 * _e3721[0]) + (_e3649 * _e3721[1])) + (_e3651 * _e3721[2]));
+                                            let _e3733 = local_1.member[0u][1u];
+                                            let _e3741 = (((_e3647 * _e3733[0]) + (_e3649 * _e3733[1])) + (_e3651 * _e3733[2]));
+                                            let _e3745 = local_1.member[0u][2u];
+                                            let _e3753 = (((_e3647 * _e3745[0]) + (_e3649 * _e3745[1])) + (_e3651 * _e3745[2]));
+                                            let _e3757 = local_1.member[0u][3u];
+                                            let _e3765 = (((_e3647 * _e3757[0]) + (_e3649 * _e3757[1])) + (_e3651 * _e3757[2]));
+                                            let _e3769 = local_1.member[1u][0u];
+                                            let _e3777 = (((_e3647 * _e3769[0]) + (_e3649 * _e3769[1])) + (_e3651 * _e3769[2]));
+                                            let _e3781 = local_1.member[1u][1u];
+                                            let _e3789 = (((_e3647 * _e3781[0]) + (_e3649 * _e3781[1])) + (_e3651 * _e3781[2]));
+                                            let _e3793 = local_1.member[1u][2u];
+                                            let _e3801 = (((_e3647 * _e3793[0]) + (_e3649 * _e3793[1])) + (_e3651 * _e3793[2]));
+                                            let _e3805 = local_1.member[1u][3u];
+                                            let _e3813 = (((_e3647 * _e3805[0]) + (_e3649 * _e3805[1])) + (_e3651 * _e3805[2]));
+                                            local_2 = type_39(array<f64, 4>(_e3729, _e3741, _e3753, _e3765), array<f64, 4>(_e3777, _e3789, _e3801, _e3813), array<f64, 4>((_e3717 + ((select(_e3729, -(_e3729), (_e3729 < 0.0lf)) + select(_e3777, -(_e3777), (_e3777 < 0.0lf))) * _e3706)), (_e3717 + ((select(_e3741, -(_e3741), (_e3741 < 0.0lf)) + select(_e3789, -(_e3789), (_e3789 < 0.0lf))) * _e3706)), (_e3717 + ((select(_e3753, -(_e3753), (_e3753 < 0.0lf)) + select(_e3801, -(_e3801), (_e3801 < 0.0lf))) * _e3706)), (_e3717 + ((select(_e3765, -(_e3765), (_e3765 < 0.0lf)) + select(_e3813, -(_e3813), (_e3813 < 0.0lf))) * _e3706))));
+                                            let _e3858 = (((_e3647 * _e3647) + (_e3649 * _e3649)) + (_e3651 * _e3651));
+                                            if (_e3858 <= 2.2250738585072014e-308lf) {
+                                                phi_7069_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3858 > 0.0lf));
                                             } else {
-                                                phi_7011_ = type_16(0i, 5i);
-                                                phi_7014_ = bitcast<f64>(((bitcast<u64>(_e3857) / 2lu) + 2303426169912950784lu));
+                                                phi_7012_ = type_16(0i, 5i);
+                                                phi_7015_ = bitcast<f64>(((bitcast<u64>(_e3858) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3864 = phi_7011_;
-                                                    let _e3866 = phi_7014_;
-                                                    local_26 = _e3866;
-                                                    if (_e3864.member < _e3864.member_1) {
-                                                        let _e3873 = (_e3864.member + 1i);
-                                                        phi_7012_ = type_16(select(_e3873, type_17().member_1, select(false, true, ((false == (_e3873 > _e3864.member)) != false))), _e3864.member_1);
-                                                        phi_7055_ = type_17(1u, _e3864.member);
+                                                    let _e3865 = phi_7012_;
+                                                    let _e3867 = phi_7015_;
+                                                    local_26 = _e3867;
+                                                    if (_e3865.member < _e3865.member_1) {
+                                                        let _e3874 = (_e3865.member + 1i);
+                                                        phi_7013_ = type_16(select(_e3874, type_17().member_1, select(false, true, ((false == (_e3874 > _e3865.member)) != false))), _e3865.member_1);
+                                                        phi_7056_ = type_17(1u, _e3865.member);
                                                     } else {
-                                                        phi_7012_ = _e3864;
-                                                        phi_7055_ = type_17(0u, type_17().member_1);
+                                                        phi_7013_ = _e3865;
+                                                        phi_7056_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3884 = phi_7012_;
-                                                    let _e3886 = phi_7055_;
-                                                    let _e3889 = (bitcast<i32>(_e3886.member) != 0i);
-                                                    if _e3889 {
-                                                        phi_7015_ = (0.5lf * (_e3866 + (_e3857 / _e3866)));
+                                                    let _e3885 = phi_7013_;
+                                                    let _e3887 = phi_7056_;
+                                                    let _e3890 = (bitcast<i32>(_e3887.member) != 0i);
+                                                    if _e3890 {
+                                                        phi_7016_ = (0.5lf * (_e3867 + (_e3858 / _e3867)));
                                                     } else {
-                                                        phi_7015_ = f64();
+                                                        phi_7016_ = f64();
                                                     }
-                                                    let _e3894 = phi_7015_;
+                                                    let _e3895 = phi_7016_;
                                                     continue;
                                                     continuing {
-                                                        phi_7011_ = _e3884;
-                                                        phi_7014_ = _e3894;
-                                                        break if !(_e3889);
+                                                        phi_7012_ = _e3885;
+                                                        phi_7015_ = _e3895;
+                                                        break if !(_e3890);
                                                     }
                                                 }
-                                                let _e3899 = local_26;
-                                                phi_7068_ = (_e3899 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3900 = local_26;
+                                                phi_7069_ = (_e3900 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3905 = phi_7068_;
-                                            let _e3916 = (((_e3408[0] * _e3408[0]) + (_e3408[1] * _e3408[1])) + (_e3408[2] * _e3408[2]));
-                                            if (_e3916 <= 2.2250738585072014e-308lf) {
-                                                phi_7157_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3916 > 0.0lf));
+                                            let _e3906 = phi_7069_;
+                                            let _e3917 = (((_e3409[0] * _e3409[0]) + (_e3409[1] * _e3409[1])) + (_e3409[2] * _e3409[2]));
+                                            if (_e3917 <= 2.2250738585072014e-308lf) {
+                                                phi_7158_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3917 > 0.0lf));
                                             } else {
-                                                phi_7100_ = type_16(0i, 5i);
-                                                phi_7103_ = bitcast<f64>(((bitcast<u64>(_e3916) / 2lu) + 2303426169912950784lu));
+                                                phi_7101_ = type_16(0i, 5i);
+                                                phi_7104_ = bitcast<f64>(((bitcast<u64>(_e3917) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3923 = phi_7100_;
-                                                    let _e3925 = phi_7103_;
-                                                    local_27 = _e3925;
-                                                    if (_e3923.member < _e3923.member_1) {
-                                                        let _e3932 = (_e3923.member + 1i);
-                                                        phi_7101_ = type_16(select(_e3932, type_17().member_1, select(false, true, ((false == (_e3932 > _e3923.member)) != false))), _e3923.member_1);
-                                                        phi_7144_ = type_17(1u, _e3923.member);
+                                                    let _e3924 = phi_7101_;
+                                                    let _e3926 = phi_7104_;
+                                                    local_27 = _e3926;
+                                                    if (_e3924.member < _e3924.member_1) {
+                                                        let _e3933 = (_e3924.member + 1i);
+                                                        phi_7102_ = type_16(select(_e3933, type_17().member_1, select(false, true, ((false == (_e3933 > _e3924.member)) != false))), _e3924.member_1);
+                                                        phi_7145_ = type_17(1u, _e3924.member);
                                                     } else {
-                                                        phi_7101_ = _e3923;
-                                                        phi_7144_ = type_17(0u, type_17().member_1);
+                                                        phi_7102_ = _e3924;
+                                                        phi_7145_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3943 = phi_7101_;
-                                                    let _e3945 = phi_7144_;
-                                                    let _e3948 = (bitcast<i32>(_e3945.member) != 0i);
-                                                    if _e3948 {
-                                                        phi_7104_ = (0.5lf * (_e3925 + (_e3916 / _e3925)));
+                                                    let _e3944 = phi_7102_;
+                                                    let _e3946 = phi_7145_;
+                                                    let _e3949 = (bitcast<i32>(_e3946.member) != 0i);
+                                                    if _e3949 {
+                                                        phi_7105_ = (0.5lf * (_e3926 + (_e3917 / _e3926)));
                                                     } else {
-                                                        phi_7104_ = f64();
+                                                        phi_7105_ = f64();
                                                     }
-                                                    let _e3953 = phi_7104_;
+                                                    let _e3954 = phi_7105_;
                                                     continue;
                                                     continuing {
-                                                        phi_7100_ = _e3943;
-                                                        phi_7103_ = _e3953;
-                                                        break if !(_e3948);
+                                                        phi_7101_ = _e3944;
+                                                        phi_7104_ = _e3954;
+                                                        break if !(_e3949);
                                                     }
                                                 }
-                                                let _e3958 = local_27;
-                                                phi_7157_ = (_e3958 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3959 = local_27;
+                                                phi_7158_ = (_e3959 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3964 = phi_7157_;
-                                            let _e3972 = local_5.member[0u];
-                                            let _e3978 = select(_e3972[0], -(_e3972[0]), (_e3972[0] < 0.0lf));
-                                            let _e3981 = select(_e3972[1], -(_e3972[1]), (_e3972[1] < 0.0lf));
-                                            let _e3983 = select(_e3981, _e3978, (_e3978 > _e3981));
-                                            let _e3986 = select(_e3972[2], -(_e3972[2]), (_e3972[2] < 0.0lf));
-                                            let _e3988 = select(_e3986, _e3983, (_e3983 > _e3986));
-                                            let _e3991 = local_5.member[1u];
-                                            let _e3997 = select(_e3991[0], -(_e3991[0]), (_e3991[0] < 0.0lf));
-                                            let _e4000 = select(_e3991[1], -(_e3991[1]), (_e3991[1] < 0.0lf));
-                                            let _e4002 = select(_e4000, _e3997, (_e3997 > _e4000));
-                                            let _e4005 = select(_e3991[2], -(_e3991[2]), (_e3991[2] < 0.0lf));
-                                            let _e4007 = select(_e4005, _e4002, (_e4002 > _e4005));
-                                            let _e4011 = local_5.member_3;
-                                            let _e4015 = local_5.member_1[0u];
-                                            let _e4021 = select(_e4015[0], -(_e4015[0]), (_e4015[0] < 0.0lf));
-                                            let _e4024 = select(_e4015[1], -(_e4015[1]), (_e4015[1] < 0.0lf));
-                                            let _e4026 = select(_e4024, _e4021, (_e4021 > _e4024));
-                                            let _e4029 = select(_e4015[2], -(_e4015[2]), (_e4015[2] < 0.0lf));
-                                            let _e4031 = select(_e4029, _e4026, (_e4026 > _e4029));
-                                            let _e4034 = local_5.member_1[1u];
-                                            let _e4040 = select(_e4034[0], -(_e4034[0]), (_e4034[0] < 0.0lf));
-                                            let _e4043 = select(_e4034[1], -(_e4034[1]), (_e4034[1] < 0.0lf));
-                                            let _e4045 = select(_e4043, _e4040, (_e4040 > _e4043));
-                                            let _e4048 = select(_e4034[2], -(_e4034[2]), (_e4034[2] < 0.0lf));
-                                            let _e4050 = select(_e4048, _e4045, (_e4045 > _e4048));
-                                            let _e4054 = local_5.member_3;
-                                            let _e4058 = local_5.member_2[0u];
-                                            let _e4064 = select(_e4058[0], -(_e4058[0]), (_e4058[0] < 0.0lf));
-                                            let _e4067 = select(_e4058[1], -(_e4058[1]), (_e4058[1] < 0.0lf));
-                                            let _e4069 = select(_e4067, _e4064, (_e4064 > _e4067));
-                                            let _e4072 = select(_e4058[2], -(_e4058[2]), (_e4058[2] < 0.0lf));
-                                            let _e4074 = select(_e4072, _e4069, (_e4069 > _e4072));
-                                            let _e4077 = local_5.member_2[1u];
-                                            let _e4083 = select(_e4077[0], -(_e4077[0]), (_e4077[0] < 0.0lf));
-                                            let _e4086 = select(_e4077[1], -(_e4077[1]), (_e4077[1] < 0.0lf));
-                                            let _e4088 = select(_e4086, _e4083, (_e4083 > _e4086));
-                                            let _e4091 = select(_e4077[2], -(_e4077[2]), (_e4077[2] < 0.0lf));
-                                            let _e4093 = select(_e4091, _e4088, (_e4088 > _e4091));
-                                            let _e4097 = local_5.member_3;
-                                            let _e4105 = local_5.member_3;
-                                            let _e4120 = ((((_e3964 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4007, _e3988, (_e3988 > _e4007)) + _e4011) + (select(_e4050, _e4031, (_e4031 > _e4050)) + _e4054)) + (select(_e4093, _e4074, (_e4074 > _e4093)) + _e4097)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4105 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3905) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
-                                            let _e4123 = local_2.member[0u];
-                                            let _e4126 = local_2.member_1[0u];
-                                            phi_7475_ = type_9(1u, 4u);
-                                            phi_7478_ = ((_e4123 + ((_e4126 - _e4123) * _e1636)) - ((_e3638 * f64(1.01f)) + ((select(_e4123, -(_e4123), (_e4123 < 0.0lf)) + select(_e4126, -(_e4126), (_e4126 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                            let _e3965 = phi_7158_;
+                                            let _e3973 = local_5.member[0u];
+                                            let _e3979 = select(_e3973[0], -(_e3973[0]), (_e3973[0] < 0.0lf));
+                                            let _e3982 = select(_e3973[1], -(_e3973[1]), (_e3973[1] < 0.0lf));
+                                            let _e3984 = select(_e3982, _e3979, (_e3979 > _e3982));
+                                            let _e3987 = select(_e3973[2], -(_e3973[2]), (_e3973[2] < 0.0lf));
+                                            let _e3989 = select(_e3987, _e3984, (_e3984 > _e3987));
+                                            let _e3992 = local_5.member[1u];
+                                            let _e3998 = select(_e3992[0], -(_e3992[0]), (_e3992[0] < 0.0lf));
+                                            let _e4001 = select(_e3992[1], -(_e3992[1]), (_e3992[1] < 0.0lf));
+                                            let _e4003 = select(_e4001, _e3998, (_e3998 > _e4001));
+                                            let _e4006 = select(_e3992[2], -(_e3992[2]), (_e3992[2] < 0.0lf));
+                                            let _e4008 = select(_e4006, _e4003, (_e4003 > _e4006));
+                                            let _e4012 = local_5.member_3;
+                                            let _e4016 = local_5.member_1[0u];
+                                            let _e4022 = select(_e4016[0], -(_e4016[0]), (_e4016[0] < 0.0lf));
+                                            let _e4025 = select(_e4016[1], -(_e4016[1]), (_e4016[1] < 0.0lf));
+                                            let _e4027 = select(_e4025, _e4022, (_e4022 > _e4025));
+                                            let _e4030 = select(_e4016[2], -(_e4016[2]), (_e4016[2] < 0.0lf));
+                                            let _e4032 = select(_e4030, _e4027, (_e4027 > _e4030));
+                                            let _e4035 = local_5.member_1[1u];
+                                            let _e4041 = select(_e4035[0], -(_e4035[0]), (_e4035[0] < 0.0lf));
+                                            let _e4044 = select(_e4035[1], -(_e4035[1]), (_e4035[1] < 0.0lf));
+                                            let _e4046 = select(_e4044, _e4041, (_e4041 > _e4044));
+                                            let _e4049 = select(_e4035[2], -(_e4035[2]), (_e4035[2] < 0.0lf));
+                                            let _e4051 = select(_e4049, _e4046, (_e4046 > _e4049));
+                                            let _e4055 = local_5.member_3;
+                                            let _e4059 = local_5.member_2[0u];
+                                            let _e4065 = select(_e4059[0], -(_e4059[0]), (_e4059[0] < 0.0lf));
+                                            let _e4068 = select(_e4059[1], -(_e4059[1]), (_e4059[1] < 0.0lf));
+                                            let _e4070 = select(_e4068, _e4065, (_e4065 > _e4068));
+                                            let _e4073 = select(_e4059[2], -(_e4059[2]), (_e4059[2] < 0.0lf));
+                                            let _e4075 = select(_e4073, _e4070, (_e4070 > _e4073));
+                                            let _e4078 = local_5.member_2[1u];
+                                            let _e4084 = select(_e4078[0], -(_e4078[0]), (_e4078[0] < 0.0lf));
+                                            let _e4087 = select(_e4078[1], -(_e4078[1]), (_e4078[1] < 0.0lf));
+                                            let _e4089 = select(_e4087, _e4084, (_e4084 > _e4087));
+                                            let _e4092 = select(_e4078[2], -(_e4078[2]), (_e4078[2] < 0.0lf));
+                                            let _e4094 = select(_e4092, _e4089, (_e4089 > _e4092));
+                                            let _e4098 = local_5.member_3;
+                                            let _e4106 = local_5.member_3;
+                                            let _e4121 = ((((_e3965 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4008, _e3989, (_e3989 > _e4008)) + _e4012) + (select(_e4051, _e4032, (_e4032 > _e4051)) + _e4055)) + (select(_e4094, _e4075, (_e4075 > _e4094)) + _e4098)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4106 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3906) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
+                                            let _e4124 = local_2.member[0u];
+                                            let _e4127 = local_2.member_1[0u];
+                                            phi_7476_ = type_9(1u, 4u);
+                                            phi_7479_ = ((_e4124 + ((_e4127 - _e4124) * _e1637)) - ((_e3639 * f64(1.01f)) + ((select(_e4124, -(_e4124), (_e4124 < 0.0lf)) + select(_e4127, -(_e4127), (_e4127 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
                                             loop {
-                                                let _e4145 = phi_7475_;
-                                                let _e4147 = phi_7478_;
-                                                local_28 = _e4147;
-                                                local_29 = _e4147;
-                                                let _e4150 = (_e4145.member < _e4145.member_1);
-                                                let _e4161 = select(type_9().member_1, _e4145.member, _e4150);
-                                                let _e4163 = (bitcast<i32>(select(0u, 1u, _e4150)) != 0i);
-                                                if _e4163 {
-                                                    let _e4166 = local_2.member[_e4161];
-                                                    let _e4169 = local_2.member_1[_e4161];
-                                                    let _e4186 = ((_e4166 + ((_e4169 - _e4166) * _e1636)) - ((_e3638 * f64(1.01f)) + ((select(_e4166, -(_e4166), (_e4166 < 0.0lf)) + select(_e4169, -(_e4169), (_e4169 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
-                                                    phi_7479_ = select(_e4186, _e4147, (_e4147 < _e4186));
+                                                let _e4146 = phi_7476_;
+                                                let _e4148 = phi_7479_;
+                                                local_28 = _e4148;
+                                                local_29 = _e4148;
+                                                let _e4151 = (_e4146.member < _e4146.member_1);
+                                                let _e4162 = select(type_9().member_1, _e4146.member, _e4151);
+                                                let _e4164 = (bitcast<i32>(select(0u, 1u, _e4151)) != 0i);
+                                                if _e4164 {
+                                                    let _e4167 = local_2.member[_e4162];
+                                                    let _e4170 = local_2.member_1[_e4162];
+                                                    let _e4187 = ((_e4167 + ((_e4170 - _e4167) * _e1637)) - ((_e3639 * f64(1.01f)) + ((select(_e4167, -(_e4167), (_e4167 < 0.0lf)) + select(_e4170, -(_e4170), (_e4170 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                                    phi_7480_ = select(_e4187, _e4148, (_e4148 < _e4187));
                                                 } else {
-                                                    phi_7479_ = f64();
+                                                    phi_7480_ = f64();
                                                 }
-                                                let _e4190 = phi_7479_;
+                                                let _e4191 = phi_7480_;
                                                 continue;
                                                 continuing {
-                                                    phi_7475_ = type_9(select(_e4145.member, (_e4145.member + 1u), _e4150), select(_e4145.member_1, _e4145.member_1, _e4150));
-                                                    phi_7478_ = _e4190;
-                                                    break if !(_e4163);
+                                                    phi_7476_ = type_9(select(_e4146.member, (_e4146.member + 1u), _e4151), select(_e4146.member_1, _e4146.member_1, _e4151));
+                                                    phi_7479_ = _e4191;
+                                                    break if !(_e4164);
                                                 }
                                             }
-                                            let _e4193 = local_28;
-                                            if (_e4193 > f64(0f)) {
-                                                let _e4198 = local_29;
-                                                let _e4202 = (((_e4120 - _e4198) / _e4120) * f64(2.02f));
-                                                if (_e4202 <= 2.2250738585072014e-308lf) {
-                                                    phi_7637_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4202 > 0.0lf));
+                                            let _e4194 = local_28;
+                                            if (_e4194 > f64(0f)) {
+                                                let _e4199 = local_29;
+                                                let _e4203 = (((_e4121 - _e4199) / _e4121) * f64(2.02f));
+                                                if (_e4203 <= 2.2250738585072014e-308lf) {
+                                                    phi_7638_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4203 > 0.0lf));
                                                 } else {
-                                                    phi_7580_ = type_16(0i, 5i);
-                                                    phi_7583_ = bitcast<f64>(((bitcast<u64>(_e4202) / 2lu) + 2303426169912950784lu));
+                                                    phi_7581_ = type_16(0i, 5i);
+                                                    phi_7584_ = bitcast<f64>(((bitcast<u64>(_e4203) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e4209 = phi_7580_;
-                                                        let _e4211 = phi_7583_;
-                                                        local_30 = _e4211;
-                                                        if (_e4209.member < _e4209.member_1) {
-                                                            let _e4218 = (_e4209.member + 1i);
-                                                            phi_7581_ = type_16(select(_e4218, type_17().member_1, select(false, true, ((false == (_e4218 > _e4209.member)) != false))), _e4209.member_1);
-                                                            phi_7624_ = type_17(1u, _e4209.member);
+                                                        let _e4210 = phi_7581_;
+                                                        let _e4212 = phi_7584_;
+                                                        local_30 = _e4212;
+                                                        if (_e4210.member < _e4210.member_1) {
+                                                            let _e4219 = (_e4210.member + 1i);
+                                                            phi_7582_ = type_16(select(_e4219, type_17().member_1, select(false, true, ((false == (_e4219 > _e4210.member)) != false))), _e4210.member_1);
+                                                            phi_7625_ = type_17(1u, _e4210.member);
                                                         } else {
-                                                            phi_7581_ = _e4209;
-                                                            phi_7624_ = type_17(0u, type_17().member_1);
+                                                            phi_7582_ = _e4210;
+                                                            phi_7625_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e4229 = phi_7581_;
-                                                        let _e4231 = phi_7624_;
-                                                        let _e4234 = (bitcast<i32>(_e4231.member) != 0i);
-                                                        if _e4234 {
-                                                            phi_7584_ = (0.5lf * (_e4211 + (_e4202 / _e4211)));
+                                                        let _e4230 = phi_7582_;
+                                                        let _e4232 = phi_7625_;
+                                                        let _e4235 = (bitcast<i32>(_e4232.member) != 0i);
+                                                        if _e4235 {
+                                                            phi_7585_ = (0.5lf * (_e4212 + (_e4203 / _e4212)));
                                                         } else {
-                                                            phi_7584_ = f64();
+                                                            phi_7585_ = f64();
                                                         }
-                                                        let _e4239 = phi_7584_;
+                                                        let _e4240 = phi_7585_;
                                                         continue;
                                                         continuing {
-                                                            phi_7580_ = _e4229;
-                                                            phi_7583_ = _e4239;
-                                                            break if !(_e4234);
+                                                            phi_7581_ = _e4230;
+                                                            phi_7584_ = _e4240;
+                                                            break if !(_e4235);
                                                         }
                                                     }
-                                                    let _e4244 = local_30;
-                                                    phi_7637_ = (_e4244 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e4245 = local_30;
+                                                    phi_7638_ = (_e4245 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e4250 = phi_7637_;
-                                                let _e4253 = ((_e4250 * _e3905) * f64(1.01f));
-                                                phi_7644_ = type_9(0u, 4u);
-                                                phi_7647_ = f64(2f);
-                                                phi_7649_ = true;
-                                                phi_7651_ = true;
+                                                let _e4251 = phi_7638_;
+                                                let _e4254 = ((_e4251 * _e3906) * f64(1.01f));
+                                                phi_7645_ = type_9(0u, 4u);
+                                                phi_7648_ = f64(2f);
+                                                phi_7650_ = true;
+                                                phi_7652_ = true;
                                                 loop {
-                                                    let _e4256 = phi_7644_;
-                                                    let _e4258 = phi_7647_;
-                                                    let _e4260 = phi_7649_;
-                                                    let _e4262 = phi_7651_;
-                                                    local_31 = _e4258;
-                                                    local_32 = _e4258;
-                                                    local_33 = _e4260;
-                                                    local_34 = _e4262;
-                                                    local_35 = _e4262;
-                                                    local_36 = _e4262;
-                                                    local_61 = _e4262;
-                                                    local_37 = _e4262;
-                                                    let _e4265 = (_e4256.member < _e4256.member_1);
-                                                    let _e4276 = select(type_9().member_1, _e4256.member, _e4265);
-                                                    let _e4278 = (bitcast<i32>(select(0u, 1u, _e4265)) != 0i);
-                                                    if _e4278 {
-                                                        let _e4282 = local_1.member[0u][_e4276];
-                                                        let _e4289 = local_1.member[1u][_e4276];
-                                                        let _e4303 = ((select(_e4282[0], -(_e4282[0]), (_e4282[0] < 0.0lf)) + select(_e4282[1], -(_e4282[1]), (_e4282[1] < 0.0lf))) + select(_e4282[2], -(_e4282[2]), (_e4282[2] < 0.0lf)));
-                                                        let _e4314 = ((select(_e4289[0], -(_e4289[0]), (_e4289[0] < 0.0lf)) + select(_e4289[1], -(_e4289[1]), (_e4289[1] < 0.0lf))) + select(_e4289[2], -(_e4289[2]), (_e4289[2] < 0.0lf)));
-                                                        let _e4322 = (_e4289[0] - _e4282[0]);
-                                                        let _e4323 = (_e4289[1] - _e4282[1]);
-                                                        let _e4324 = (_e4289[2] - _e4282[2]);
-                                                        let _e4343 = local_2.member[_e4276];
-                                                        let _e4346 = local_2.member_1[_e4276];
-                                                        let _e4359 = ((_e3638 * f64(1.01f)) + ((select(_e4343, -(_e4343), (_e4343 < 0.0lf)) + select(_e4346, -(_e4346), (_e4346 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
-                                                        let _e4366 = local_2.member_1[_e4276];
-                                                        let _e4369 = local_2.member[_e4276];
-                                                        let _e4370 = (_e4366 - _e4369);
-                                                        let _e4373 = ((_e4359 + _e4359) + (_e4253 * ((((select(_e4322, -(_e4322), (_e4322 < 0.0lf)) + select(_e4323, -(_e4323), (_e4323 < 0.0lf))) + select(_e4324, -(_e4324), (_e4324 < 0.0lf))) + (_e3638 * f64(6f))) * f64(1.01f))));
-                                                        let _e4376 = ((((_e4343 + ((_e4346 - _e4343) * _e1636)) - _e4359) - (_e4253 * ((select(_e4314, _e4303, (_e4303 > _e4314)) + (_e3638 * f64(3f))) * f64(1.01f)))) - _e4120);
-                                                        let _e4377 = (_e4376 > 2.2250738585072014e-308lf);
-                                                        let _e4378 = (_e4370 > _e4373);
-                                                        if _e4378 {
-                                                            phi_7888_ = _e4258;
+                                                    let _e4257 = phi_7645_;
+                                                    let _e4259 = phi_7648_;
+                                                    let _e4261 = phi_7650_;
+                                                    let _e4263 = phi_7652_;
+                                                    local_31 = _e4259;
+                                                    local_32 = _e4259;
+                                                    local_33 = _e4261;
+                                                    local_34 = _e4263;
+                                                    local_35 = _e4263;
+                                                    local_36 = _e4263;
+                                                    local_61 = _e4263;
+                                                    local_37 = _e4263;
+                                                    let _e4266 = (_e4257.member < _e4257.member_1);
+                                                    let _e4277 = select(type_9().member_1, _e4257.member, _e4266);
+                                                    let _e4279 = (bitcast<i32>(select(0u, 1u, _e4266)) != 0i);
+                                                    if _e4279 {
+                                                        let _e4283 = local_1.member[0u][_e4277];
+                                                        let _e4290 = local_1.member[1u][_e4277];
+                                                        let _e4304 = ((select(_e4283[0], -(_e4283[0]), (_e4283[0] < 0.0lf)) + select(_e4283[1], -(_e4283[1]), (_e4283[1] < 0.0lf))) + select(_e4283[2], -(_e4283[2]), (_e4283[2] < 0.0lf)));
+                                                        let _e4315 = ((select(_e4290[0], -(_e4290[0]), (_e4290[0] < 0.0lf)) + select(_e4290[1], -(_e4290[1]), (_e4290[1] < 0.0lf))) + select(_e4290[2], -(_e4290[2]), (_e4290[2] < 0.0lf)));
+                                                        let _e4323 = (_e4290[0] - _e4283[0]);
+                                                        let _e4324 = (_e4290[1] - _e4283[1]);
+                                                        let _e4325 = (_e4290[2] - _e4283[2]);
+                                                        let _e4344 = local_2.member[_e4277];
+                                                        let _e4347 = local_2.member_1[_e4277];
+                                                        let _e4360 = ((_e3639 * f64(1.01f)) + ((select(_e4344, -(_e4344), (_e4344 < 0.0lf)) + select(_e4347, -(_e4347), (_e4347 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
+                                                        let _e4367 = local_2.member_1[_e4277];
+                                                        let _e4370 = local_2.member[_e4277];
+                                                        let _e4371 = (_e4367 - _e4370);
+                                                        let _e4374 = ((_e4360 + _e4360) + (_e4254 * ((((select(_e4323, -(_e4323), (_e4323 < 0.0lf)) + select(_e4324, -(_e4324), (_e4324 < 0.0lf))) + select(_e4325, -(_e4325), (_e4325 < 0.0lf))) + (_e3639 * f64(6f))) * f64(1.01f))));
+                                                        let _e4377 = ((((_e4344 + ((_e4347 - _e4344) * _e1637)) - _e4360) - (_e4254 * ((select(_e4315, _e4304, (_e4304 > _e4315)) + (_e3639 * f64(3f))) * f64(1.01f)))) - _e4121);
+                                                        let _e4378 = (_e4377 > 2.2250738585072014e-308lf);
+                                                        let _e4379 = (_e4371 > _e4374);
+                                                        if _e4379 {
+                                                            phi_7889_ = _e4259;
                                                         } else {
-                                                            if _e4377 {
-                                                                let _e4385 = (_e4373 - _e4370);
-                                                                let _e4388 = (_e4376 / select(2.2250738585072014e-308lf, _e4385, (_e4385 > 2.2250738585072014e-308lf)));
-                                                                phi_7887_ = select(_e4388, _e4258, (_e4258 < _e4388));
+                                                            if _e4378 {
+                                                                let _e4386 = (_e4374 - _e4371);
+                                                                let _e4389 = (_e4377 / select(2.2250738585072014e-308lf, _e4386, (_e4386 > 2.2250738585072014e-308lf)));
+                                                                phi_7888_ = select(_e4389, _e4259, (_e4259 < _e4389));
                                                             } else {
-                                                                phi_7887_ = _e4258;
+                                                                phi_7888_ = _e4259;
                                                             }
-                                                            let _e4392 = phi_7887_;
-                                                            phi_7888_ = _e4392;
+                                                            let _e4393 = phi_7888_;
+                                                            phi_7889_ = _e4393;
                                                         }
-                                                        let _e4394 = phi_7888_;
-                                                        phi_7648_ = _e4394;
-                                                        phi_7650_ = (_e4260 && select(_e4377, true, (_e4370 < -(_e4373))));
-                                                        phi_7652_ = (_e4262 && select(_e4377, true, _e4378));
+                                                        let _e4395 = phi_7889_;
+                                                        phi_7649_ = _e4395;
+                                                        phi_7651_ = (_e4261 && select(_e4378, true, (_e4371 < -(_e4374))));
+                                                        phi_7653_ = (_e4263 && select(_e4378, true, _e4379));
                                                     } else {
-                                                        phi_7648_ = f64();
-                                                        phi_7650_ = bool();
-                                                        phi_7652_ = bool();
+                                                        phi_7649_ = f64();
+                                                        phi_7651_ = bool();
+                                                        phi_7653_ = bool();
                                                     }
-                                                    let _e4396 = phi_7648_;
-                                                    let _e4398 = phi_7650_;
-                                                    let _e4400 = phi_7652_;
+                                                    let _e4397 = phi_7649_;
+                                                    let _e4399 = phi_7651_;
+                                                    let _e4401 = phi_7653_;
                                                     continue;
                                                     continuing {
-                                                        phi_7644_ = type_9(select(_e4256.member, (_e4256.member + 1u), _e4265), select(_e4256.member_1, _e4256.member_1, _e4265));
-                                                        phi_7647_ = _e4396;
-                                                        phi_7649_ = _e4398;
-                                                        phi_7651_ = _e4400;
-                                                        break if !(_e4278);
+                                                        phi_7645_ = type_9(select(_e4257.member, (_e4257.member + 1u), _e4266), select(_e4257.member_1, _e4257.member_1, _e4266));
+                                                        phi_7648_ = _e4397;
+                                                        phi_7650_ = _e4399;
+                                                        phi_7652_ = _e4401;
+                                                        break if !(_e4279);
                                                     }
                                                 }
-                                                let _e4402 = f64(2f);
-                                                let _e4404 = local_31;
-                                                let _e4407 = local_32;
-                                                let _e4410 = (select(_e4402, _e4407, (_e4404 < _e4402)) * f64(0.999f));
-                                                let _e4412 = local_33;
-                                                if _e4412 {
-                                                    let _e4416 = local_34;
-                                                    let _e4420 = local_35;
-                                                    let _e4424 = local_36;
-                                                    phi_7906_ = type_42(select(_e1636, type_42().member, _e4416), select(f64(2f), type_42().member_1, _e4420), select(1u, type_42().member_2, _e4424));
-                                                    let _e5535 = local_61;
-                                                    phi_7907_ = _e5535;
+                                                let _e4403 = f64(2f);
+                                                let _e4405 = local_31;
+                                                let _e4408 = local_32;
+                                                let _e4411 = (select(_e4403, _e4408, (_e4405 < _e4403)) * f64(0.999f));
+                                                let _e4413 = local_33;
+                                                if _e4413 {
+                                                    let _e4417 = local_34;
+                                                    let _e4421 = local_35;
+                                                    let _e4425 = local_36;
+                                                    phi_7907_ = type_42(select(_e1637, type_42().member, _e4417), select(f64(2f), type_42().member_1, _e4421), select(1u, type_42().member_2, _e4425));
+                                                    let _e5537 = local_61;
+                                                    phi_7908_ = _e5537;
                                                 } else {
-                                                    phi_7906_ = type_42();
-                                                    phi_7907_ = true;
+                                                    phi_7907_ = type_42();
+                                                    phi_7908_ = true;
                                                 }
-                                                let _e4428 = phi_7906_;
-                                                let _e4430 = phi_7907_;
-                                                if _e4430 {
-                                                    let _e4432 = local_37;
-                                                    if _e4432 {
-                                                        let _e4438 = (_e1636 + _e4410);
-                                                        let _e4441 = select(_e1636, select(_e551, _e4438, (_e4438 < _e551)), (_e4410 > (1.1102230246251565e-16lf * f64(4096f))));
-                                                        phi_7929_ = type_9(0u, 4u);
-                                                        phi_7932_ = _e4441;
-                                                        phi_7934_ = _e1636;
+                                                let _e4429 = phi_7907_;
+                                                let _e4431 = phi_7908_;
+                                                if _e4431 {
+                                                    let _e4433 = local_37;
+                                                    if _e4433 {
+                                                        let _e4439 = (_e1637 + _e4411);
+                                                        let _e4442 = select(_e1637, select(_e552, _e4439, (_e4439 < _e552)), (_e4411 > (1.1102230246251565e-16lf * f64(4096f))));
+                                                        phi_7930_ = type_9(0u, 4u);
+                                                        phi_7933_ = _e4442;
+                                                        phi_7935_ = _e1637;
                                                         loop {
-                                                            let _e4443 = phi_7929_;
-                                                            let _e4445 = phi_7932_;
-                                                            let _e4447 = phi_7934_;
-                                                            local_38 = _e4445;
-                                                            local_39 = _e4447;
-                                                            local_40 = _e4447;
-                                                            let _e4450 = (_e4443.member < _e4443.member_1);
-                                                            let _e4461 = select(type_9().member_1, _e4443.member, _e4450);
-                                                            let _e4463 = (bitcast<i32>(select(0u, 1u, _e4450)) != 0i);
-                                                            if _e4463 {
-                                                                let _e4466 = local_2.member[_e4461];
-                                                                let _e4469 = local_2.member_1[_e4461];
-                                                                let _e4472 = local_2.member[_e4461];
-                                                                let _e4478 = local_2.member_2[_e4461];
-                                                                let _e4479 = ((_e4466 + ((_e4469 - _e4472) * _e1636)) - _e4478);
-                                                                let _e4482 = local_2.member_1[_e4461];
-                                                                let _e4485 = local_2.member[_e4461];
-                                                                let _e4486 = (_e4482 - _e4485);
-                                                                if (_e4486 > f64(0f)) {
-                                                                    let _e4502 = (_e1636 - (_e4479 / _e4486));
-                                                                    phi_8046_ = _e4445;
-                                                                    phi_8047_ = select(_e4502, _e4447, (_e4447 > _e4502));
+                                                            let _e4444 = phi_7930_;
+                                                            let _e4446 = phi_7933_;
+                                                            let _e4448 = phi_7935_;
+                                                            local_38 = _e4446;
+                                                            local_39 = _e4448;
+                                                            local_40 = _e4448;
+                                                            let _e4451 = (_e4444.member < _e4444.member_1);
+                                                            let _e4462 = select(type_9().member_1, _e4444.member, _e4451);
+                                                            let _e4464 = (bitcast<i32>(select(0u, 1u, _e4451)) != 0i);
+                                                            if _e4464 {
+                                                                let _e4467 = local_2.member[_e4462];
+                                                                let _e4470 = local_2.member_1[_e4462];
+                                                                let _e4473 = local_2.member[_e4462];
+                                                                let _e4479 = local_2.member_2[_e4462];
+                                                                let _e4480 = ((_e4467 + ((_e4470 - _e4473) * _e1637)) - _e4479);
+                                                                let _e4483 = local_2.member_1[_e4462];
+                                                                let _e4486 = local_2.member[_e4462];
+                                                                let _e4487 = (_e4483 - _e4486);
+                                                                if (_e4487 > f64(0f)) {
+                                                                    let _e4503 = (_e1637 - (_e4480 / _e4487));
+                                                                    phi_8047_ = _e4446;
+                                                                    phi_8048_ = select(_e4503, _e4448, (_e4448 > _e4503));
                                                                 } else {
-                                                                    if (_e4479 > f64(0f)) {
-                                                                        if (_e4486 < f64(0f)) {
-                                                                            let _e4494 = (_e1636 - (_e4479 / _e4486));
-                                                                            phi_8044_ = select(_e4494, _e4445, (_e4445 < _e4494));
+                                                                    if (_e4480 > f64(0f)) {
+                                                                        if (_e4487 < f64(0f)) {
+                                                                            let _e4495 = (_e1637 - (_e4480 / _e4487));
+                                                                            phi_8045_ = select(_e4495, _e4446, (_e4446 < _e4495));
                                                                         } else {
-                                                                            phi_8044_ = _e4445;
+                                                                            phi_8045_ = _e4446;
                                                                         }
-                                                                        let _e4498 = phi_8044_;
-                                                                        phi_8045_ = _e4498;
+                                                                        let _e4499 = phi_8045_;
+                                                                        phi_8046_ = _e4499;
                                                                     } else {
-                                                                        phi_8045_ = _e4445;
+                                                                        phi_8046_ = _e4446;
                                                                     }
-                                                                    let _e4500 = phi_8045_;
-                                                                    phi_8046_ = _e4500;
-                                                                    phi_8047_ = _e4447;
+                                                                    let _e4501 = phi_8046_;
+                                                                    phi_8047_ = _e4501;
+                                                                    phi_8048_ = _e4448;
                                                                 }
-                                                                let _e4506 = phi_8046_;
-                                                                let _e4508 = phi_8047_;
-                                                                phi_7933_ = _e4506;
-                                                                phi_7935_ = _e4508;
+                                                                let _e4507 = phi_8047_;
+                                                                let _e4509 = phi_8048_;
+                                                                phi_7934_ = _e4507;
+                                                                phi_7936_ = _e4509;
                                                             } else {
-                                                                phi_7933_ = f64();
-                                                                phi_7935_ = f64();
+                                                                phi_7934_ = f64();
+                                                                phi_7936_ = f64();
                                                             }
-                                                            let _e4510 = phi_7933_;
-                                                            let _e4512 = phi_7935_;
+                                                            let _e4511 = phi_7934_;
+                                                            let _e4513 = phi_7936_;
                                                             continue;
                                                             continuing {
-                                                                phi_7929_ = type_9(select(_e4443.member, (_e4443.member + 1u), _e4450), select(_e4443.member_1, _e4443.member_1, _e4450));
-                                                                phi_7932_ = _e4510;
-                                                                phi_7934_ = _e4512;
-                                                                break if !(_e4463);
+                                                                phi_7930_ = type_9(select(_e4444.member, (_e4444.member + 1u), _e4451), select(_e4444.member_1, _e4444.member_1, _e4451));
+                                                                phi_7933_ = _e4511;
+                                                                phi_7935_ = _e4513;
+                                                                break if !(_e4464);
                                                             }
                                                         }
-                                                        let _e4515 = local_38;
-                                                        let _e4517 = local_39;
-                                                        let _e4522 = local_40;
-                                                        let _e4523 = (_e4522 + ((_e4515 - _e4517) * f64(0.5f)));
-                                                        if (_e4523 > _e1636) {
-                                                            if (_e4523 <= _e4441) {
-                                                                let _e4526 = f64(0f);
-                                                                let _e4529 = local_2.member[0u];
-                                                                let _e4532 = local_2.member_1[0u];
-                                                                let _e4535 = local_2.member[0u];
-                                                                let _e4541 = local_2.member_2[0u];
-                                                                if (((_e4529 + ((_e4532 - _e4535) * _e4523)) - _e4541) > _e4526) {
-                                                                    let _e4546 = local_2.member[1u];
-                                                                    let _e4549 = local_2.member_1[1u];
-                                                                    let _e4552 = local_2.member[1u];
-                                                                    let _e4558 = local_2.member_2[1u];
-                                                                    if (((_e4546 + ((_e4549 - _e4552) * _e4523)) - _e4558) > _e4526) {
-                                                                        let _e4563 = local_2.member[2u];
-                                                                        let _e4566 = local_2.member_1[2u];
-                                                                        let _e4569 = local_2.member[2u];
-                                                                        let _e4575 = local_2.member_2[2u];
-                                                                        if (((_e4563 + ((_e4566 - _e4569) * _e4523)) - _e4575) > _e4526) {
-                                                                            let _e4580 = local_2.member[3u];
-                                                                            let _e4583 = local_2.member_1[3u];
-                                                                            let _e4586 = local_2.member[3u];
-                                                                            let _e4592 = local_2.member_2[3u];
-                                                                            phi_8210_ = (((_e4580 + ((_e4583 - _e4586) * _e4523)) - _e4592) > _e4526);
-                                                                            phi_8211_ = false;
+                                                        let _e4516 = local_38;
+                                                        let _e4518 = local_39;
+                                                        let _e4523 = local_40;
+                                                        let _e4524 = (_e4523 + ((_e4516 - _e4518) * f64(0.5f)));
+                                                        if (_e4524 > _e1637) {
+                                                            if (_e4524 <= _e4442) {
+                                                                let _e4527 = f64(0f);
+                                                                let _e4530 = local_2.member[0u];
+                                                                let _e4533 = local_2.member_1[0u];
+                                                                let _e4536 = local_2.member[0u];
+                                                                let _e4542 = local_2.member_2[0u];
+                                                                if (((_e4530 + ((_e4533 - _e4536) * _e4524)) - _e4542) > _e4527) {
+                                                                    let _e4547 = local_2.member[1u];
+                                                                    let _e4550 = local_2.member_1[1u];
+                                                                    let _e4553 = local_2.member[1u];
+                                                                    let _e4559 = local_2.member_2[1u];
+                                                                    if (((_e4547 + ((_e4550 - _e4553) * _e4524)) - _e4559) > _e4527) {
+                                                                        let _e4564 = local_2.member[2u];
+                                                                        let _e4567 = local_2.member_1[2u];
+                                                                        let _e4570 = local_2.member[2u];
+                                                                        let _e4576 = local_2.member_2[2u];
+                                                                        if (((_e4564 + ((_e4567 - _e4570) * _e4524)) - _e4576) > _e4527) {
+                                                                            let _e4581 = local_2.member[3u];
+                                                                            let _e4584 = local_2.member_1[3u];
+                                                                            let _e4587 = local_2.member[3u];
+                                                                            let _e4593 = local_2.member_2[3u];
+                                                                            phi_8211_ = (((_e4581 + ((_e4584 - _e4587) * _e4524)) - _e4593) > _e4527);
+                                                                            phi_8212_ = false;
                                                                         } else {
-                                                                            phi_8210_ = bool();
-                                                                            phi_8211_ = true;
+                                                                            phi_8211_ = bool();
+                                                                            phi_8212_ = true;
                                                                         }
-                                                                        let _e4596 = phi_8210_;
-                                                                        let _e4598 = phi_8211_;
-                                                                        phi_8212_ = _e4596;
-                                                                        phi_8213_ = _e4598;
+                                                                        let _e4597 = phi_8211_;
+                                                                        let _e4599 = phi_8212_;
+                                                                        phi_8213_ = _e4597;
+                                                                        phi_8214_ = _e4599;
                                                                     } else {
-                                                                        phi_8212_ = bool();
-                                                                        phi_8213_ = true;
+                                                                        phi_8213_ = bool();
+                                                                        phi_8214_ = true;
                                                                     }
-                                                                    let _e4600 = phi_8212_;
-                                                                    let _e4602 = phi_8213_;
-                                                                    phi_8214_ = _e4600;
-                                                                    phi_8215_ = _e4602;
+                                                                    let _e4601 = phi_8213_;
+                                                                    let _e4603 = phi_8214_;
+                                                                    phi_8215_ = _e4601;
+                                                                    phi_8216_ = _e4603;
                                                                 } else {
-                                                                    phi_8214_ = bool();
-                                                                    phi_8215_ = true;
+                                                                    phi_8215_ = bool();
+                                                                    phi_8216_ = true;
                                                                 }
-                                                                let _e4604 = phi_8214_;
-                                                                let _e4606 = phi_8215_;
-                                                                phi_8224_ = select(true, false, select(_e4604, false, _e4606));
+                                                                let _e4605 = phi_8215_;
+                                                                let _e4607 = phi_8216_;
+                                                                phi_8225_ = select(true, false, select(_e4605, false, _e4607));
                                                             } else {
-                                                                phi_8224_ = true;
+                                                                phi_8225_ = true;
                                                             }
-                                                            let _e4610 = phi_8224_;
-                                                            phi_8225_ = _e4610;
+                                                            let _e4611 = phi_8225_;
+                                                            phi_8226_ = _e4611;
                                                         } else {
-                                                            phi_8225_ = true;
+                                                            phi_8226_ = true;
                                                         }
-                                                        let _e4612 = phi_8225_;
-                                                        phi_8234_ = type_42(_e4441, select(_e4523, f64(2f), _e4612), 2u);
-                                                        phi_8235_ = type_42();
-                                                        phi_8236_ = false;
+                                                        let _e4613 = phi_8226_;
+                                                        phi_8235_ = type_42(_e4442, select(_e4524, f64(2f), _e4613), 2u);
+                                                        phi_8236_ = type_42();
+                                                        phi_8237_ = false;
                                                     } else {
-                                                        phi_8234_ = type_42();
-                                                        phi_8235_ = type_42(_e1636, f64(2f), 0u);
-                                                        phi_8236_ = true;
+                                                        phi_8235_ = type_42();
+                                                        phi_8236_ = type_42(_e1637, f64(2f), 0u);
+                                                        phi_8237_ = true;
                                                     }
-                                                    let _e4617 = phi_8234_;
-                                                    let _e4619 = phi_8235_;
-                                                    let _e4621 = phi_8236_;
-                                                    phi_8237_ = _e4617;
-                                                    phi_8238_ = _e4619;
-                                                    phi_8239_ = _e4621;
+                                                    let _e4618 = phi_8235_;
+                                                    let _e4620 = phi_8236_;
+                                                    let _e4622 = phi_8237_;
+                                                    phi_8238_ = _e4618;
+                                                    phi_8239_ = _e4620;
+                                                    phi_8240_ = _e4622;
                                                 } else {
-                                                    phi_8237_ = type_42();
-                                                    phi_8238_ = _e4428;
-                                                    phi_8239_ = true;
+                                                    phi_8238_ = type_42();
+                                                    phi_8239_ = _e4429;
+                                                    phi_8240_ = true;
                                                 }
-                                                let _e4623 = phi_8237_;
-                                                let _e4625 = phi_8238_;
-                                                let _e4627 = phi_8239_;
-                                                phi_8245_ = _e4625;
-                                                phi_8246_ = _e4623;
-                                                phi_8247_ = _e4627;
+                                                let _e4624 = phi_8238_;
+                                                let _e4626 = phi_8239_;
+                                                let _e4628 = phi_8240_;
+                                                phi_8246_ = _e4626;
+                                                phi_8247_ = _e4624;
+                                                phi_8248_ = _e4628;
                                             } else {
-                                                phi_8245_ = type_42(_e1636, f64(2f), 0u);
-                                                phi_8246_ = type_42();
-                                                phi_8247_ = true;
+                                                phi_8246_ = type_42(_e1637, f64(2f), 0u);
+                                                phi_8247_ = type_42();
+                                                phi_8248_ = true;
                                             }
-                                            let _e4629 = phi_8245_;
-                                            let _e4631 = phi_8246_;
-                                            let _e4633 = phi_8247_;
-                                            phi_8251_ = _e4629;
-                                            phi_8252_ = _e4631;
-                                            phi_8253_ = false;
-                                            phi_8254_ = _e4633;
-                                        } else {
-                                            phi_8251_ = type_42();
-                                            phi_8252_ = type_42();
-                                            phi_8253_ = true;
+                                            let _e4630 = phi_8246_;
+                                            let _e4632 = phi_8247_;
+                                            let _e4634 = phi_8248_;
+                                            phi_8252_ = _e4630;
+                                            phi_8253_ = _e4632;
                                             phi_8254_ = false;
+                                            phi_8255_ = _e4634;
+                                        } else {
+                                            phi_8252_ = type_42();
+                                            phi_8253_ = type_42();
+                                            phi_8254_ = true;
+                                            phi_8255_ = false;
                                         }
-                                        let _e4635 = phi_8251_;
-                                        let _e4637 = phi_8252_;
-                                        let _e4639 = phi_8253_;
-                                        let _e4641 = phi_8254_;
-                                        phi_8255_ = _e4635;
-                                        phi_8256_ = _e4637;
-                                        phi_8257_ = _e4639;
-                                        phi_8258_ = _e4641;
+                                        let _e4636 = phi_8252_;
+                                        let _e4638 = phi_8253_;
+                                        let _e4640 = phi_8254_;
+                                        let _e4642 = phi_8255_;
+                                        phi_8256_ = _e4636;
+                                        phi_8257_ = _e4638;
+                                        phi_8258_ = _e4640;
+                                        phi_8259_ = _e4642;
                                     } else {
-                                        phi_8255_ = type_42();
                                         phi_8256_ = type_42();
-                                        phi_8257_ = true;
-                                        phi_8258_ = false;
+                                        phi_8257_ = type_42();
+                                        phi_8258_ = true;
+                                        phi_8259_ = false;
                                     }
-                                    let _e4643 = phi_8255_;
-                                    let _e4645 = phi_8256_;
-                                    let _e4647 = phi_8257_;
-                                    let _e4649 = phi_8258_;
-                                    let _e4657 = select(_e4649, true, _e4647);
-                                    let _e4661 = select(_e4645.member_1, select(_e4643.member_1, f64(2f), _e4647), _e4657);
-                                    let _e4663 = select(_e4645.member_2, select(_e4643.member_2, 0u, _e4647), _e4657);
-                                    if ((_e553 & 64u) != 0u) {
-                                        let _e4665 = (_e4663 == 2u);
-                                        let _e4666 = (_e4661 <= _e551);
-                                        phi_8293_ = select(f64(), select(f64(), _e4661, _e4666), _e4665);
-                                        phi_8294_ = select(f64(), select(f64(), _e4661, _e4666), _e4665);
-                                        phi_8295_ = select(false, _e4666, _e4665);
-                                        phi_8296_ = select(false, select(true, false, _e4666), _e4665);
-                                        phi_8297_ = select(true, false, _e4665);
+                                    let _e4644 = phi_8256_;
+                                    let _e4646 = phi_8257_;
+                                    let _e4648 = phi_8258_;
+                                    let _e4650 = phi_8259_;
+                                    let _e4658 = select(_e4650, true, _e4648);
+                                    let _e4662 = select(_e4646.member_1, select(_e4644.member_1, f64(2f), _e4648), _e4658);
+                                    let _e4664 = select(_e4646.member_2, select(_e4644.member_2, 0u, _e4648), _e4658);
+                                    if ((_e554 & 64u) != 0u) {
+                                        let _e4666 = (_e4664 == 2u);
+                                        let _e4667 = (_e4662 <= _e552);
+                                        phi_8294_ = select(f64(), select(f64(), _e4662, _e4667), _e4666);
+                                        phi_8295_ = select(f64(), select(f64(), _e4662, _e4667), _e4666);
+                                        phi_8296_ = select(false, _e4667, _e4666);
+                                        phi_8297_ = select(false, select(true, false, _e4667), _e4666);
+                                        phi_8298_ = select(true, false, _e4666);
                                     } else {
-                                        phi_8293_ = f64();
                                         phi_8294_ = f64();
-                                        phi_8295_ = false;
+                                        phi_8295_ = f64();
                                         phi_8296_ = false;
-                                        phi_8297_ = true;
+                                        phi_8297_ = false;
+                                        phi_8298_ = true;
                                     }
-                                    let _e4676 = phi_8293_;
-                                    let _e4678 = phi_8294_;
-                                    let _e4680 = phi_8295_;
-                                    let _e4682 = phi_8296_;
-                                    let _e4684 = phi_8297_;
-                                    phi_8298_ = _e4676;
-                                    phi_8299_ = _e4663;
-                                    phi_8300_ = _e4678;
-                                    phi_8301_ = type_42(select(_e4645.member, select(_e4643.member, _e1636, _e4647), _e4657), _e4661, _e4663);
-                                    phi_8302_ = _e4663;
-                                    phi_8303_ = _e4663;
-                                    phi_8304_ = _e4680;
-                                    phi_8305_ = _e4682;
-                                    phi_8306_ = _e4684;
+                                    let _e4677 = phi_8294_;
+                                    let _e4679 = phi_8295_;
+                                    let _e4681 = phi_8296_;
+                                    let _e4683 = phi_8297_;
+                                    let _e4685 = phi_8298_;
+                                    phi_8299_ = _e4677;
+                                    phi_8300_ = _e4664;
+                                    phi_8301_ = _e4679;
+                                    phi_8302_ = type_42(select(_e4646.member, select(_e4644.member, _e1637, _e4648), _e4658), _e4662, _e4664);
+                                    phi_8303_ = _e4664;
+                                    phi_8304_ = _e4664;
+                                    phi_8305_ = _e4681;
+                                    phi_8306_ = _e4683;
+                                    phi_8307_ = _e4685;
                                 }
-                                let _e4686 = phi_8298_;
-                                let _e4688 = phi_8299_;
-                                let _e4690 = phi_8300_;
-                                let _e4692 = phi_8301_;
-                                let _e4694 = phi_8302_;
-                                let _e4696 = phi_8303_;
-                                let _e4698 = phi_8304_;
-                                let _e4700 = phi_8305_;
-                                let _e4702 = phi_8306_;
-                                phi_8307_ = _e4686;
-                                phi_8308_ = _e4688;
-                                phi_8309_ = _e4690;
-                                phi_8310_ = _e4692;
-                                phi_8311_ = _e4694;
-                                phi_8312_ = _e4696;
-                                phi_8313_ = _e4698;
-                                phi_8314_ = _e3340;
-                                phi_8315_ = _e4700;
-                                phi_8316_ = _e4702;
-                                phi_8317_ = false;
+                                let _e4687 = phi_8299_;
+                                let _e4689 = phi_8300_;
+                                let _e4691 = phi_8301_;
+                                let _e4693 = phi_8302_;
+                                let _e4695 = phi_8303_;
+                                let _e4697 = phi_8304_;
+                                let _e4699 = phi_8305_;
+                                let _e4701 = phi_8306_;
+                                let _e4703 = phi_8307_;
+                                phi_8308_ = _e4687;
+                                phi_8309_ = _e4689;
+                                phi_8310_ = _e4691;
+                                phi_8311_ = _e4693;
+                                phi_8312_ = _e4695;
+                                phi_8313_ = _e4697;
+                                phi_8314_ = _e4699;
+                                phi_8315_ = _e3341;
+                                phi_8316_ = _e4701;
+                                phi_8317_ = _e4703;
+                                phi_8318_ = false;
                             } else {
-                                phi_8307_ = f64();
-                                phi_8308_ = u32();
-                                phi_8309_ = f64();
-                                phi_8310_ = type_42();
-                                phi_8311_ = u32();
+                                phi_8308_ = f64();
+                                phi_8309_ = u32();
+                                phi_8310_ = f64();
+                                phi_8311_ = type_42();
                                 phi_8312_ = u32();
-                                phi_8313_ = false;
+                                phi_8313_ = u32();
                                 phi_8314_ = false;
                                 phi_8315_ = false;
                                 phi_8316_ = false;
-                                phi_8317_ = true;
+                                phi_8317_ = false;
+                                phi_8318_ = true;
                             }
-                            let _e4704 = phi_8307_;
-                            let _e4706 = phi_8308_;
-                            let _e4708 = phi_8309_;
-                            let _e4710 = phi_8310_;
-                            let _e4712 = phi_8311_;
-                            let _e4714 = phi_8312_;
-                            let _e4716 = phi_8313_;
-                            let _e4718 = phi_8314_;
-                            let _e4720 = phi_8315_;
-                            let _e4722 = phi_8316_;
-                            let _e4724 = phi_8317_;
-                            phi_8318_ = _e3337;
-                            phi_3302_ = _e4704;
-                            phi_3304_ = _e4706;
-                            phi_3306_ = _e4708;
-                            phi_8319_ = _e4710;
-                            phi_8320_ = _e4712;
-                            phi_8321_ = _e3337;
-                            phi_8322_ = _e4714;
-                            phi_8323_ = _e4716;
-                            phi_8324_ = _e4718;
-                            phi_8325_ = _e4720;
-                            phi_8326_ = _e4722;
-                            phi_8327_ = false;
-                            phi_8328_ = _e4724;
+                            let _e4705 = phi_8308_;
+                            let _e4707 = phi_8309_;
+                            let _e4709 = phi_8310_;
+                            let _e4711 = phi_8311_;
+                            let _e4713 = phi_8312_;
+                            let _e4715 = phi_8313_;
+                            let _e4717 = phi_8314_;
+                            let _e4719 = phi_8315_;
+                            let _e4721 = phi_8316_;
+                            let _e4723 = phi_8317_;
+                            let _e4725 = phi_8318_;
+                            phi_8319_ = _e3338;
+                            phi_3303_ = _e4705;
+                            phi_3305_ = _e4707;
+                            phi_3307_ = _e4709;
+                            phi_8320_ = _e4711;
+                            phi_8321_ = _e4713;
+                            phi_8322_ = _e3338;
+                            phi_8323_ = _e4715;
+                            phi_8324_ = _e4717;
+                            phi_8325_ = _e4719;
+                            phi_8326_ = _e4721;
+                            phi_8327_ = _e4723;
+                            phi_8328_ = false;
+                            phi_8329_ = _e4725;
                         } else {
-                            phi_8318_ = f64();
-                            phi_3302_ = f64();
-                            phi_3304_ = u32();
-                            phi_3306_ = f64();
-                            phi_8319_ = type_42();
-                            phi_8320_ = u32();
-                            phi_8321_ = f64();
-                            phi_8322_ = u32();
-                            phi_8323_ = false;
+                            phi_8319_ = f64();
+                            phi_3303_ = f64();
+                            phi_3305_ = u32();
+                            phi_3307_ = f64();
+                            phi_8320_ = type_42();
+                            phi_8321_ = u32();
+                            phi_8322_ = f64();
+                            phi_8323_ = u32();
                             phi_8324_ = false;
                             phi_8325_ = false;
                             phi_8326_ = false;
-                            phi_8327_ = true;
-                            phi_8328_ = false;
+                            phi_8327_ = false;
+                            phi_8328_ = true;
+                            phi_8329_ = false;
                         }
-                        let _e4726 = phi_8318_;
-                        let _e4728 = phi_3302_;
-                        let _e4730 = phi_3304_;
-                        let _e4732 = phi_3306_;
-                        let _e4734 = phi_8319_;
-                        let _e4736 = phi_8320_;
-                        let _e4738 = phi_8321_;
-                        let _e4740 = phi_8322_;
-                        let _e4742 = phi_8323_;
-                        let _e4744 = phi_8324_;
-                        let _e4746 = phi_8325_;
-                        let _e4748 = phi_8326_;
-                        let _e4750 = phi_8327_;
-                        let _e4752 = phi_8328_;
-                        local_41 = _e4744;
-                        local_42 = _e4746;
-                        local_43 = _e4744;
-                        local_44 = _e4748;
-                        local_45 = _e4744;
-                        local_46 = _e4750;
-                        local_47 = _e4744;
-                        local_48 = _e4752;
-                        local_49 = _e4734;
-                        local_50 = _e4734;
-                        local_51 = _e4736;
-                        local_52 = _e4734;
-                        local_62 = _e4744;
-                        local_53 = _e4740;
-                        local_55 = _e4738;
-                        local_56 = _e4726;
+                        let _e4727 = phi_8319_;
+                        let _e4729 = phi_3303_;
+                        let _e4731 = phi_3305_;
+                        let _e4733 = phi_3307_;
+                        let _e4735 = phi_8320_;
+                        let _e4737 = phi_8321_;
+                        let _e4739 = phi_8322_;
+                        let _e4741 = phi_8323_;
+                        let _e4743 = phi_8324_;
+                        let _e4745 = phi_8325_;
+                        let _e4747 = phi_8326_;
+                        let _e4749 = phi_8327_;
+                        let _e4751 = phi_8328_;
+                        let _e4753 = phi_8329_;
+                        local_41 = _e4745;
+                        local_42 = _e4747;
+                        local_43 = _e4745;
+                        local_44 = _e4749;
+                        local_45 = _e4745;
+                        local_46 = _e4751;
+                        local_47 = _e4745;
+                        local_48 = _e4753;
+                        local_49 = _e4735;
+                        local_50 = _e4735;
+                        local_51 = _e4737;
+                        local_52 = _e4735;
+                        local_62 = _e4745;
+                        local_53 = _e4741;
+                        local_55 = _e4739;
+                        local_56 = _e4727;
                         continue;
                         continuing {
-                            phi_3298_ = _e1654;
-                            phi_3301_ = _e4728;
-                            phi_3303_ = _e4730;
-                            phi_3305_ = _e4732;
-                            break if !(_e4742);
+                            phi_3299_ = _e1655;
+                            phi_3302_ = _e4729;
+                            phi_3304_ = _e4731;
+                            phi_3306_ = _e4733;
+                            break if !(_e4743);
                         }
                     }
-                    let _e4755 = local_41;
-                    let _e4757 = local_42;
-                    let _e4758 = select(_e4757, false, _e4755);
-                    let _e4760 = local_43;
-                    let _e4762 = local_44;
-                    let _e4765 = local_45;
-                    let _e4767 = local_46;
-                    let _e4770 = local_47;
-                    let _e4772 = local_48;
-                    if _e4758 {
-                        let _e4775 = local_49;
-                        if (_e4775.member >= _e551) {
-                            phi_8357_ = type_38(type_37(0u, f64()), 0u);
+                    let _e4756 = local_41;
+                    let _e4758 = local_42;
+                    let _e4759 = select(_e4758, false, _e4756);
+                    let _e4761 = local_43;
+                    let _e4763 = local_44;
+                    let _e4766 = local_45;
+                    let _e4768 = local_46;
+                    let _e4771 = local_47;
+                    let _e4773 = local_48;
+                    if _e4759 {
+                        let _e4776 = local_49;
+                        if (_e4776.member >= _e552) {
+                            phi_8358_ = type_38(type_37(0u, f64()), 0u);
                         } else {
-                            let _e4779 = local_50;
-                            let _e4783 = local_51;
-                            let _e4786 = local_52;
-                            phi_8357_ = type_38(type_37(2u, _e4786.member), select(_e4783, 0u, (_e4779.member > _e542)));
+                            let _e4780 = local_50;
+                            let _e4784 = local_51;
+                            let _e4787 = local_52;
+                            phi_8358_ = type_38(type_37(2u, _e4787.member), select(_e4784, 0u, (_e4780.member > _e543)));
                         }
-                        let _e4793 = phi_8357_;
-                        phi_8358_ = _e4793;
-                        phi_8359_ = false;
+                        let _e4794 = phi_8358_;
+                        phi_8359_ = _e4794;
                         phi_8360_ = false;
                         phi_8361_ = false;
                         phi_8362_ = false;
+                        phi_8363_ = false;
                     } else {
-                        phi_8358_ = type_38();
-                        phi_8359_ = select(_e4762, false, _e4760);
-                        let _e5630 = local_62;
-                        phi_8360_ = _e5630;
-                        phi_8361_ = select(_e4767, false, _e4765);
-                        phi_8362_ = select(_e4772, false, _e4770);
+                        phi_8359_ = type_38();
+                        phi_8360_ = select(_e4763, false, _e4761);
+                        let _e5632 = local_62;
+                        phi_8361_ = _e5632;
+                        phi_8362_ = select(_e4768, false, _e4766);
+                        phi_8363_ = select(_e4773, false, _e4771);
                     }
-                    let _e4795 = phi_8358_;
-                    let _e4797 = phi_8359_;
-                    let _e4799 = phi_8360_;
-                    let _e4801 = phi_8361_;
-                    let _e4803 = phi_8362_;
-                    let _e4805 = local_53;
-                    let _e4807 = local_54;
-                    let _e4810 = local_55;
-                    let _e4812 = local_56;
-                    let _e4814 = select(_e4799, true, _e4797);
-                    let _e4819 = local_57;
-                    let _e4820 = select(_e4819, select(_e4812, _e4810, _e4797), _e4814);
-                    let _e4822 = local_58;
-                    let _e4823 = select(_e4822, select(_e4807, _e4805, _e4797), _e4814);
-                    if select(select(_e4801, false, _e4797), true, _e4814) {
+                    let _e4796 = phi_8359_;
+                    let _e4798 = phi_8360_;
+                    let _e4800 = phi_8361_;
+                    let _e4802 = phi_8362_;
+                    let _e4804 = phi_8363_;
+                    let _e4806 = local_53;
+                    let _e4808 = local_54;
+                    let _e4811 = local_55;
+                    let _e4813 = local_56;
+                    let _e4815 = select(_e4800, true, _e4798);
+                    let _e4820 = local_57;
+                    let _e4821 = select(_e4820, select(_e4813, _e4811, _e4798), _e4815);
+                    let _e4823 = local_58;
+                    let _e4824 = select(_e4823, select(_e4808, _e4806, _e4798), _e4815);
+                    if select(select(_e4802, false, _e4798), true, _e4815) {
                         local[0u] = 0.01f;
                         local[1u] = 0f;
                         local[2u] = 0.8f;
-                        phi_8396_ = type_9(0u, 3u);
+                        phi_8397_ = type_9(0u, 3u);
                         loop {
-                            let _e4836 = phi_8396_;
-                            let _e4839 = (_e4836.member < _e4836.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e4839)) != 0i) {
-                                let _e4854 = local[select(type_9().member_1, _e4836.member, _e4839)];
-                                let _e4857 = (_e4820 + (select(f64(0f), _e533, (_e533 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4854)));
-                                let _e4859 = select(_e551, _e4857, (_e4857 < _e551));
-                                let _e4862 = local_5.member[0u];
-                                let _e4868 = local_5.member[1u];
-                                let _e4884 = local_5.member_1[0u];
-                                let _e4890 = local_5.member_1[1u];
-                                let _e4906 = local_5.member_2[0u];
-                                let _e4912 = local_5.member_2[1u];
-                                let _e4926 = function_4(array<f64, 3>((_e4862[0] + ((_e4868[0] - _e4862[0]) * _e4859)), (_e4862[1] + ((_e4868[1] - _e4862[1]) * _e4859)), (_e4862[2] + ((_e4868[2] - _e4862[2]) * _e4859))), array<f64, 3>((_e4884[0] + ((_e4890[0] - _e4884[0]) * _e4859)), (_e4884[1] + ((_e4890[1] - _e4884[1]) * _e4859)), (_e4884[2] + ((_e4890[2] - _e4884[2]) * _e4859))), array<f64, 3>((_e4906[0] + ((_e4912[0] - _e4906[0]) * _e4859)), (_e4906[1] + ((_e4912[1] - _e4906[1]) * _e4859)), (_e4906[2] + ((_e4912[2] - _e4906[2]) * _e4859))), _e230.member);
-                                let _e4937 = (((_e4926[0] * _e4926[0]) + (_e4926[1] * _e4926[1])) + (_e4926[2] * _e4926[2]));
-                                if (_e4937 <= 2.2250738585072014e-308lf) {
-                                    phi_8629_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4937 > 0.0lf));
+                            let _e4837 = phi_8397_;
+                            let _e4840 = (_e4837.member < _e4837.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e4840)) != 0i) {
+                                let _e4855 = local[select(type_9().member_1, _e4837.member, _e4840)];
+                                let _e4858 = (_e4821 + (select(f64(0f), _e534, (_e534 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4855)));
+                                let _e4860 = select(_e552, _e4858, (_e4858 < _e552));
+                                let _e4863 = local_5.member[0u];
+                                let _e4869 = local_5.member[1u];
+                                let _e4885 = local_5.member_1[0u];
+                                let _e4891 = local_5.member_1[1u];
+                                let _e4907 = local_5.member_2[0u];
+                                let _e4913 = local_5.member_2[1u];
+                                let _e4927 = function_4(array<f64, 3>((_e4863[0] + ((_e4869[0] - _e4863[0]) * _e4860)), (_e4863[1] + ((_e4869[1] - _e4863[1]) * _e4860)), (_e4863[2] + ((_e4869[2] - _e4863[2]) * _e4860))), array<f64, 3>((_e4885[0] + ((_e4891[0] - _e4885[0]) * _e4860)), (_e4885[1] + ((_e4891[1] - _e4885[1]) * _e4860)), (_e4885[2] + ((_e4891[2] - _e4885[2]) * _e4860))), array<f64, 3>((_e4907[0] + ((_e4913[0] - _e4907[0]) * _e4860)), (_e4907[1] + ((_e4913[1] - _e4907[1]) * _e4860)), (_e4907[2] + ((_e4913[2] - _e4907[2]) * _e4860))), _e231.member);
+                                let _e4938 = (((_e4927[0] * _e4927[0]) + (_e4927[1] * _e4927[1])) + (_e4927[2] * _e4927[2]));
+                                if (_e4938 <= 2.2250738585072014e-308lf) {
+                                    phi_8630_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4938 > 0.0lf));
                                 } else {
-                                    phi_8572_ = type_16(0i, 5i);
-                                    phi_8575_ = bitcast<f64>(((bitcast<u64>(_e4937) / 2lu) + 2303426169912950784lu));
+                                    phi_8573_ = type_16(0i, 5i);
+                                    phi_8576_ = bitcast<f64>(((bitcast<u64>(_e4938) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e4944 = phi_8572_;
-                                        let _e4946 = phi_8575_;
-                                        local_59 = _e4946;
-                                        if (_e4944.member < _e4944.member_1) {
-                                            let _e4953 = (_e4944.member + 1i);
-                                            phi_8573_ = type_16(select(_e4953, type_17().member_1, select(false, true, ((false == (_e4953 > _e4944.member)) != false))), _e4944.member_1);
-                                            phi_8616_ = type_17(1u, _e4944.member);
+                                        let _e4945 = phi_8573_;
+                                        let _e4947 = phi_8576_;
+                                        local_59 = _e4947;
+                                        if (_e4945.member < _e4945.member_1) {
+                                            let _e4954 = (_e4945.member + 1i);
+                                            phi_8574_ = type_16(select(_e4954, type_17().member_1, select(false, true, ((false == (_e4954 > _e4945.member)) != false))), _e4945.member_1);
+                                            phi_8617_ = type_17(1u, _e4945.member);
                                         } else {
-                                            phi_8573_ = _e4944;
-                                            phi_8616_ = type_17(0u, type_17().member_1);
+                                            phi_8574_ = _e4945;
+                                            phi_8617_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e4964 = phi_8573_;
-                                        let _e4966 = phi_8616_;
-                                        let _e4969 = (bitcast<i32>(_e4966.member) != 0i);
-                                        if _e4969 {
-                                            phi_8576_ = (0.5lf * (_e4946 + (_e4937 / _e4946)));
+                                        let _e4965 = phi_8574_;
+                                        let _e4967 = phi_8617_;
+                                        let _e4970 = (bitcast<i32>(_e4967.member) != 0i);
+                                        if _e4970 {
+                                            phi_8577_ = (0.5lf * (_e4947 + (_e4938 / _e4947)));
                                         } else {
-                                            phi_8576_ = f64();
+                                            phi_8577_ = f64();
                                         }
-                                        let _e4974 = phi_8576_;
+                                        let _e4975 = phi_8577_;
                                         continue;
                                         continuing {
-                                            phi_8572_ = _e4964;
-                                            phi_8575_ = _e4974;
-                                            break if !(_e4969);
+                                            phi_8573_ = _e4965;
+                                            phi_8576_ = _e4975;
+                                            break if !(_e4970);
                                         }
                                     }
-                                    let _e4979 = local_59;
-                                    phi_8629_ = (_e4979 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e4980 = local_59;
+                                    phi_8630_ = (_e4980 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e4985 = phi_8629_;
-                                let _e4993 = local_5.member[0u];
-                                let _e4999 = select(_e4993[0], -(_e4993[0]), (_e4993[0] < 0.0lf));
-                                let _e5002 = select(_e4993[1], -(_e4993[1]), (_e4993[1] < 0.0lf));
-                                let _e5004 = select(_e5002, _e4999, (_e4999 > _e5002));
-                                let _e5007 = select(_e4993[2], -(_e4993[2]), (_e4993[2] < 0.0lf));
-                                let _e5009 = select(_e5007, _e5004, (_e5004 > _e5007));
-                                let _e5012 = local_5.member[1u];
-                                let _e5018 = select(_e5012[0], -(_e5012[0]), (_e5012[0] < 0.0lf));
-                                let _e5021 = select(_e5012[1], -(_e5012[1]), (_e5012[1] < 0.0lf));
-                                let _e5023 = select(_e5021, _e5018, (_e5018 > _e5021));
-                                let _e5026 = select(_e5012[2], -(_e5012[2]), (_e5012[2] < 0.0lf));
-                                let _e5028 = select(_e5026, _e5023, (_e5023 > _e5026));
-                                let _e5032 = local_5.member_3;
-                                let _e5036 = local_5.member_1[0u];
-                                let _e5042 = select(_e5036[0], -(_e5036[0]), (_e5036[0] < 0.0lf));
-                                let _e5045 = select(_e5036[1], -(_e5036[1]), (_e5036[1] < 0.0lf));
-                                let _e5047 = select(_e5045, _e5042, (_e5042 > _e5045));
-                                let _e5050 = select(_e5036[2], -(_e5036[2]), (_e5036[2] < 0.0lf));
-                                let _e5052 = select(_e5050, _e5047, (_e5047 > _e5050));
-                                let _e5055 = local_5.member_1[1u];
-                                let _e5061 = select(_e5055[0], -(_e5055[0]), (_e5055[0] < 0.0lf));
-                                let _e5064 = select(_e5055[1], -(_e5055[1]), (_e5055[1] < 0.0lf));
-                                let _e5066 = select(_e5064, _e5061, (_e5061 > _e5064));
-                                let _e5069 = select(_e5055[2], -(_e5055[2]), (_e5055[2] < 0.0lf));
-                                let _e5071 = select(_e5069, _e5066, (_e5066 > _e5069));
-                                let _e5075 = local_5.member_3;
-                                let _e5079 = local_5.member_2[0u];
-                                let _e5085 = select(_e5079[0], -(_e5079[0]), (_e5079[0] < 0.0lf));
-                                let _e5088 = select(_e5079[1], -(_e5079[1]), (_e5079[1] < 0.0lf));
-                                let _e5090 = select(_e5088, _e5085, (_e5085 > _e5088));
-                                let _e5093 = select(_e5079[2], -(_e5079[2]), (_e5079[2] < 0.0lf));
-                                let _e5095 = select(_e5093, _e5090, (_e5090 > _e5093));
-                                let _e5098 = local_5.member_2[1u];
-                                let _e5104 = select(_e5098[0], -(_e5098[0]), (_e5098[0] < 0.0lf));
-                                let _e5107 = select(_e5098[1], -(_e5098[1]), (_e5098[1] < 0.0lf));
-                                let _e5109 = select(_e5107, _e5104, (_e5104 > _e5107));
-                                let _e5112 = select(_e5098[2], -(_e5098[2]), (_e5098[2] < 0.0lf));
-                                let _e5114 = select(_e5112, _e5109, (_e5109 > _e5112));
-                                let _e5118 = local_5.member_3;
-                                let _e5126 = local_5.member_3;
-                                let _e5136 = (((_e4985 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e5028, _e5009, (_e5009 > _e5028)) + _e5032) + (select(_e5071, _e5052, (_e5052 > _e5071)) + _e5075)) + (select(_e5114, _e5095, (_e5095 > _e5114)) + _e5118)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5126 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e905.member_1);
-                                phi_8906_ = select(true, false, _e5136);
-                                phi_8907_ = _e5136;
+                                let _e4986 = phi_8630_;
+                                let _e4994 = local_5.member[0u];
+                                let _e5000 = select(_e4994[0], -(_e4994[0]), (_e4994[0] < 0.0lf));
+                                let _e5003 = select(_e4994[1], -(_e4994[1]), (_e4994[1] < 0.0lf));
+                                let _e5005 = select(_e5003, _e5000, (_e5000 > _e5003));
+                                let _e5008 = select(_e4994[2], -(_e4994[2]), (_e4994[2] < 0.0lf));
+                                let _e5010 = select(_e5008, _e5005, (_e5005 > _e5008));
+                                let _e5013 = local_5.member[1u];
+                                let _e5019 = select(_e5013[0], -(_e5013[0]), (_e5013[0] < 0.0lf));
+                                let _e5022 = select(_e5013[1], -(_e5013[1]), (_e5013[1] < 0.0lf));
+                                let _e5024 = select(_e5022, _e5019, (_e5019 > _e5022));
+                                let _e5027 = select(_e5013[2], -(_e5013[2]), (_e5013[2] < 0.0lf));
+                                let _e5029 = select(_e5027, _e5024, (_e5024 > _e5027));
+                                let _e5033 = local_5.member_3;
+                                let _e5037 = local_5.member_1[0u];
+                                let _e5043 = select(_e5037[0], -(_e5037[0]), (_e5037[0] < 0.0lf));
+                                let _e5046 = select(_e5037[1], -(_e5037[1]), (_e5037[1] < 0.0lf));
+                                let _e5048 = select(_e5046, _e5043, (_e5043 > _e5046));
+                                let _e5051 = select(_e5037[2], -(_e5037[2]), (_e5037[2] < 0.0lf));
+                                let _e5053 = select(_e5051, _e5048, (_e5048 > _e5051));
+                                let _e5056 = local_5.member_1[1u];
+                                let _e5062 = select(_e5056[0], -(_e5056[0]), (_e5056[0] < 0.0lf));
+                                let _e5065 = select(_e5056[1], -(_e5056[1]), (_e5056[1] < 0.0lf));
+                                let _e5067 = select(_e5065, _e5062, (_e5062 > _e5065));
+                                let _e5070 = select(_e5056[2], -(_e5056[2]), (_e5056[2] < 0.0lf));
+                                let _e5072 = select(_e5070, _e5067, (_e5067 > _e5070));
+                                let _e5076 = local_5.member_3;
+                                let _e5080 = local_5.member_2[0u];
+                                let _e5086 = select(_e5080[0], -(_e5080[0]), (_e5080[0] < 0.0lf));
+                                let _e5089 = select(_e5080[1], -(_e5080[1]), (_e5080[1] < 0.0lf));
+                                let _e5091 = select(_e5089, _e5086, (_e5086 > _e5089));
+                                let _e5094 = select(_e5080[2], -(_e5080[2]), (_e5080[2] < 0.0lf));
+                                let _e5096 = select(_e5094, _e5091, (_e5091 > _e5094));
+                                let _e5099 = local_5.member_2[1u];
+                                let _e5105 = select(_e5099[0], -(_e5099[0]), (_e5099[0] < 0.0lf));
+                                let _e5108 = select(_e5099[1], -(_e5099[1]), (_e5099[1] < 0.0lf));
+                                let _e5110 = select(_e5108, _e5105, (_e5105 > _e5108));
+                                let _e5113 = select(_e5099[2], -(_e5099[2]), (_e5099[2] < 0.0lf));
+                                let _e5115 = select(_e5113, _e5110, (_e5110 > _e5113));
+                                let _e5119 = local_5.member_3;
+                                let _e5127 = local_5.member_3;
+                                let _e5137 = (((_e4986 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e5029, _e5010, (_e5010 > _e5029)) + _e5033) + (select(_e5072, _e5053, (_e5053 > _e5072)) + _e5076)) + (select(_e5115, _e5096, (_e5096 > _e5115)) + _e5119)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5127 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e906.member_1);
+                                phi_8907_ = select(true, false, _e5137);
+                                phi_8908_ = _e5137;
                             } else {
-                                phi_8906_ = false;
                                 phi_8907_ = false;
+                                phi_8908_ = false;
                             }
-                            let _e5139 = phi_8906_;
-                            let _e5141 = phi_8907_;
-                            local_60 = _e5141;
+                            let _e5140 = phi_8907_;
+                            let _e5142 = phi_8908_;
+                            local_60 = _e5142;
                             continue;
                             continuing {
-                                phi_8396_ = type_9(select(_e4836.member, (_e4836.member + 1u), _e4839), select(_e4836.member_1, _e4836.member_1, _e4839));
-                                break if !(_e5139);
+                                phi_8397_ = type_9(select(_e4837.member, (_e4837.member + 1u), _e4840), select(_e4837.member_1, _e4837.member_1, _e4840));
+                                break if !(_e5140);
                             }
                         }
-                        let _e5144 = local_60;
-                        if _e5144 {
-                            phi_8919_ = type_38(type_37(1u, _e4820), select(_e4823, 1u, (_e4820 > _e542)));
-                            phi_8920_ = false;
+                        let _e5145 = local_60;
+                        if _e5145 {
+                            phi_8920_ = type_38(type_37(1u, _e4821), select(_e4824, 1u, (_e4821 > _e543)));
+                            phi_8921_ = false;
                         } else {
-                            phi_8919_ = type_38();
-                            phi_8920_ = true;
+                            phi_8920_ = type_38();
+                            phi_8921_ = true;
                         }
-                        let _e5150 = phi_8919_;
-                        let _e5152 = phi_8920_;
-                        if _e5152 {
-                            phi_8932_ = type_38(type_37(2u, _e4820), select(_e4823, 0u, (_e4820 > _e542)));
+                        let _e5151 = phi_8920_;
+                        let _e5153 = phi_8921_;
+                        if _e5153 {
+                            phi_8933_ = type_38(type_37(2u, _e4821), select(_e4824, 0u, (_e4821 > _e543)));
                         } else {
-                            phi_8932_ = _e5150;
+                            phi_8933_ = _e5151;
                         }
-                        let _e5158 = phi_8932_;
-                        phi_8933_ = _e5158;
-                        phi_8934_ = false;
+                        let _e5159 = phi_8933_;
+                        phi_8934_ = _e5159;
                         phi_8935_ = false;
+                        phi_8936_ = false;
                     } else {
-                        phi_8933_ = type_38();
-                        phi_8934_ = select(select(_e4803, false, _e4797), false, _e4814);
-                        phi_8935_ = select(select(_e4758, false, _e4797), false, _e4814);
+                        phi_8934_ = type_38();
+                        phi_8935_ = select(select(_e4804, false, _e4798), false, _e4815);
+                        phi_8936_ = select(select(_e4759, false, _e4798), false, _e4815);
                     }
-                    let _e5160 = phi_8933_;
-                    let _e5162 = phi_8934_;
-                    let _e5164 = phi_8935_;
-                    if _e5162 {
-                        phi_8942_ = type_38(type_37(0u, f64()), 0u);
-                        phi_8943_ = true;
+                    let _e5161 = phi_8934_;
+                    let _e5163 = phi_8935_;
+                    let _e5165 = phi_8936_;
+                    if _e5163 {
+                        phi_8943_ = type_38(type_37(0u, f64()), 0u);
+                        phi_8944_ = true;
                     } else {
-                        phi_8942_ = _e4795;
-                        phi_8943_ = _e5164;
+                        phi_8943_ = _e4796;
+                        phi_8944_ = _e5165;
                     }
-                    let _e5168 = phi_8942_;
-                    let _e5170 = phi_8943_;
-                    phi_8947_ = _e5168;
-                    phi_8948_ = _e5160;
-                    phi_8949_ = _e5170;
+                    let _e5169 = phi_8943_;
+                    let _e5171 = phi_8944_;
+                    phi_8948_ = _e5169;
+                    phi_8949_ = _e5161;
+                    phi_8950_ = _e5171;
                 } else {
-                    phi_8947_ = _e1626;
-                    phi_8948_ = type_38();
-                    phi_8949_ = true;
+                    phi_8948_ = _e1627;
+                    phi_8949_ = type_38();
+                    phi_8950_ = true;
                 }
-                let _e5172 = phi_8947_;
-                let _e5174 = phi_8948_;
-                let _e5176 = phi_8949_;
-                if _e5176 {
-                    phi_8953_ = _e5172;
+                let _e5173 = phi_8948_;
+                let _e5175 = phi_8949_;
+                let _e5177 = phi_8950_;
+                if _e5177 {
+                    phi_8954_ = _e5173;
                 } else {
-                    phi_8953_ = _e5174;
+                    phi_8954_ = _e5175;
                 }
-                let _e5178 = phi_8953_;
-                switch bitcast<i32>(_e5178.member.member) {
+                let _e5179 = phi_8954_;
+                switch bitcast<i32>(_e5179.member.member) {
                     case 0: {
-                        phi_8971_ = type_35(0u, _e5178.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_8972_ = type_35(0u, _e5179.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5189 = function_1(_e5178.member.member_1);
-                        phi_8971_ = type_35(0u, _e5178.member_1, _e5189, true);
+                        let _e5190 = function_1(_e5179.member.member_1);
+                        phi_8972_ = type_35(0u, _e5179.member_1, _e5190, true);
                         break;
                     }
                     case 2: {
-                        let _e5185 = function_1(_e5178.member.member_1);
-                        phi_8971_ = type_35(1u, _e5178.member_1, _e5185, true);
+                        let _e5186 = function_1(_e5179.member.member_1);
+                        phi_8972_ = type_35(1u, _e5179.member_1, _e5186, true);
                         break;
                     }
                     default: {
-                        phi_8971_ = type_35();
+                        phi_8972_ = type_35();
                         break;
                     }
                 }
-                let _e5193 = phi_8971_;
-                local_6 = type_35(_e5193.member, _e5193.member_1, array<u32, 2>(_e5193.member_2[0], _e5193.member_2[1]), _e5193.member_3);
-                phi_8980_ = type_9(_e188, _e191);
+                let _e5194 = phi_8972_;
+                local_6 = type_35(_e5194.member, _e5194.member_1, array<u32, 2>(_e5194.member_2[0], _e5194.member_2[1]), _e5194.member_3);
+                phi_8981_ = type_9(_e189, _e192);
             } else {
-                phi_8980_ = type_9(0u, 0u);
+                phi_8981_ = type_9(0u, 0u);
             }
-            let _e5203 = phi_8980_;
-            let _e5209 = local_6.member_3;
-            if _e5209 {
-                let _e5211 = params.member.member.member_1;
-                phi_9005_ = ((_e5211 & 16u) != 0u);
+            let _e5204 = phi_8981_;
+            let _e5210 = local_6.member_3;
+            if _e5210 {
+                let _e5212 = params.member.member.member_1;
+                phi_9006_ = ((_e5212 & 16u) != 0u);
             } else {
-                phi_9005_ = false;
+                phi_9006_ = false;
             }
-            let _e5215 = phi_9005_;
-            let _e5217 = local_6.member_3;
-            if _e5217 {
-                let _e5219 = local_6.member_2;
-                let _e5223 = (_e5219[1] >> bitcast<u32>(20i));
-                let _e5237 = atomicMin((&earliest.member[0u]), select(((((_e5223 - 896u) << bitcast<u32>(23i)) | ((_e5219[1] & 1048575u) << bitcast<u32>(3i))) | (_e5219[0] >> bitcast<u32>(29i))), 0u, (_e5223 <= 896u)));
+            let _e5216 = phi_9006_;
+            let _e5218 = local_6.member_3;
+            if _e5218 {
+                let _e5220 = local_6.member_2;
+                let _e5225 = ((_e5220[1] >> bitcast<u32>(20i)) & 2047u);
+                let _e5239 = atomicMin((&earliest.member[0u]), select(((((_e5225 - 896u) << bitcast<u32>(23i)) | ((_e5220[1] & 1048575u) << bitcast<u32>(3i))) | (_e5220[0] >> bitcast<u32>(29i))), 0u, (_e5225 <= 896u)));
             }
-            if (_e106 == 0u) {
+            if (_e107 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5215 {
-                let _e5241 = atomicAdd((&counters[0u]), 1u);
-                phi_9048_ = _e5241;
+            if _e5216 {
+                let _e5243 = atomicAdd((&counters[0u]), 1u);
+                phi_9050_ = _e5243;
             } else {
-                phi_9048_ = 0u;
+                phi_9050_ = 0u;
             }
-            let _e5243 = phi_9048_;
+            let _e5245 = phi_9050_;
             workgroupBarrier();
-            if (_e106 == 0u) {
-                let _e5246 = atomicLoad((&counters[0u]));
-                if (_e5246 > 0u) {
-                    let _e5249 = atomicAdd((&contacts.member[0u]), _e5246);
-                    atomicStore((&counters[1u]), _e5249);
+            if (_e107 == 0u) {
+                let _e5248 = atomicLoad((&counters[0u]));
+                if (_e5248 > 0u) {
+                    let _e5251 = atomicAdd((&contacts.member[0u]), _e5248);
+                    atomicStore((&counters[1u]), _e5251);
                 }
             }
             workgroupBarrier();
-            let _e5252 = atomicLoad((&counters[1u]));
-            let _e5253 = (_e5252 + _e5243);
-            if _e5215 {
-                let _e5255 = params.member.member_1.member_3;
-                if (_e5253 < _e5255) {
-                    let _e5261 = (7u * _e5253);
-                    atomicStore((&contacts.member[(4u + _e5261)]), select(1u, 0u, ((_e5203.member_1 & 2147483648u) == 0u)));
-                    let _e5266 = local_6.member;
-                    atomicStore((&contacts.member[(_e5261 + 5u)]), _e5266);
-                    atomicStore((&contacts.member[(_e5261 + 6u)]), _e5203.member);
-                    atomicStore((&contacts.member[(_e5261 + 7u)]), (_e5203.member_1 & 2147483647u));
-                    let _e5275 = local_6.member_2[0u];
-                    atomicStore((&contacts.member[(_e5261 + 8u)]), _e5275);
-                    let _e5280 = local_6.member_2[1u];
-                    atomicStore((&contacts.member[(_e5261 + 9u)]), _e5280);
-                    let _e5284 = local_6.member_1;
-                    atomicStore((&contacts.member[(_e5261 + 10u)]), _e5284);
+            let _e5254 = atomicLoad((&counters[1u]));
+            let _e5255 = (_e5254 + _e5245);
+            if _e5216 {
+                let _e5257 = params.member.member_1.member_3;
+                if (_e5255 < _e5257) {
+                    let _e5263 = (7u * _e5255);
+                    atomicStore((&contacts.member[(4u + _e5263)]), select(1u, 0u, ((_e5204.member_1 & 2147483648u) == 0u)));
+                    let _e5268 = local_6.member;
+                    atomicStore((&contacts.member[(_e5263 + 5u)]), _e5268);
+                    atomicStore((&contacts.member[(_e5263 + 6u)]), _e5204.member);
+                    atomicStore((&contacts.member[(_e5263 + 7u)]), (_e5204.member_1 & 2147483647u));
+                    let _e5277 = local_6.member_2[0u];
+                    atomicStore((&contacts.member[(_e5263 + 8u)]), _e5277);
+                    let _e5282 = local_6.member_2[1u];
+                    atomicStore((&contacts.member[(_e5263 + 9u)]), _e5282);
+                    let _e5286 = local_6.member_1;
+                    atomicStore((&contacts.member[(_e5263 + 10u)]), _e5286);
                 }
             }
         }
         continue;
         continuing {
-            phi_1001_ = type_9(select(_e159.member, (_e159.member + 1u), _e162), select(_e159.member_1, _e159.member_1, _e162));
-            break if !(_e175);
+            phi_1002_ = type_9(select(_e160.member, (_e160.member + 1u), _e163), select(_e160.member_1, _e160.member_1, _e163));
+            break if !(_e176);
         }
     }
     return;

@@ -147,9 +147,9 @@ var<storage, read_write> left: type_47;
 var<storage, read_write> earliest: type_47;
 
 fn function_(param: array<f32, 3>) -> array<f64, 3> {
-    var phi_227_: f64;
-    var phi_270_: f64;
-    var phi_313_: f64;
+    var phi_228_: f64;
+    var phi_271_: f64;
+    var phi_314_: f64;
 
     let _e10 = bitcast<u32>(param[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -157,33 +157,33 @@ fn function_(param: array<f32, 3>) -> array<f64, 3> {
         let _e20 = bitcast<u32>(param[0]);
         let _e21 = (_e20 & 2147483647u);
         let _e22 = (_e21 < 8388608u);
-        phi_227_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
+        phi_228_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
     } else {
-        phi_227_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
+        phi_228_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
     }
-    let _e38 = phi_227_;
+    let _e38 = phi_228_;
     let _e40 = bitcast<u32>(param[1]);
     let _e41 = (_e40 & 2147483647u);
     if (_e41 >= 8388608u) {
         let _e50 = bitcast<u32>(param[1]);
         let _e51 = (_e50 & 2147483647u);
         let _e52 = (_e51 < 8388608u);
-        phi_270_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
+        phi_271_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
     } else {
-        phi_270_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
+        phi_271_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
     }
-    let _e68 = phi_270_;
+    let _e68 = phi_271_;
     let _e70 = bitcast<u32>(param[2]);
     let _e71 = (_e70 & 2147483647u);
     if (_e71 >= 8388608u) {
         let _e80 = bitcast<u32>(param[2]);
         let _e81 = (_e80 & 2147483647u);
         let _e82 = (_e81 < 8388608u);
-        phi_313_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
+        phi_314_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
     } else {
-        phi_313_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
+        phi_314_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
     }
-    let _e98 = phi_313_;
+    let _e98 = phi_314_;
     return array<f64, 3>(_e38, _e68, _e98);
 }
 
@@ -193,9 +193,9 @@ fn function_1(param_1: f64) -> array<u32, 2> {
 }
 
 fn function_2(param_2: ptr<function, type_39>, param_3: f64, param_4: f64, param_5: f64) -> bool {
-    var phi_4206_: bool;
-    var phi_4207_: bool;
-    var phi_4212_: bool;
+    var phi_4208_: bool;
+    var phi_4209_: bool;
+    var phi_4214_: bool;
 
     let _e15 = (*param_2).member_3;
     let _e17 = (*param_2).member_3;
@@ -219,19 +219,19 @@ fn function_2(param_2: ptr<function, type_39>, param_3: f64, param_4: f64, param
         let _e82 = (*param_2).member_1;
         if (select(_e45, -(_e45), (_e45 < 0.0lf)) > _e82) {
             let _e87 = (select(_e72, -(_e72), (_e72 < 0.0lf)) > (_e74 + _e76));
-            phi_4206_ = select(bool(), ((_e45 > f64(0f)) == (_e72 > f64(0f))), _e87);
-            phi_4207_ = select(true, false, _e87);
+            phi_4208_ = select(bool(), ((_e45 > f64(0f)) == (_e72 > f64(0f))), _e87);
+            phi_4209_ = select(true, false, _e87);
         } else {
-            phi_4206_ = bool();
-            phi_4207_ = true;
+            phi_4208_ = bool();
+            phi_4209_ = true;
         }
-        let _e96 = phi_4206_;
-        let _e98 = phi_4207_;
-        phi_4212_ = select(_e96, false, _e98);
+        let _e96 = phi_4208_;
+        let _e98 = phi_4209_;
+        phi_4214_ = select(_e96, false, _e98);
     } else {
-        phi_4212_ = false;
+        phi_4214_ = false;
     }
-    let _e101 = phi_4212_;
+    let _e101 = phi_4214_;
     return _e101;
 }
 
@@ -243,121 +243,121 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_4: type_39;
     var local_5: array<f64, 4>;
     var local_6: type_34;
-    var phi_373_: u32;
-    var phi_418_: u32;
-    var phi_421_: type_9;
-    var phi_595_: type_23;
-    var phi_791_: type_31;
-    var phi_952_: type_33;
-    var phi_1448_: bool;
-    var phi_1544_: type_41;
-    var phi_1545_: bool;
-    var phi_1546_: type_41;
-    var phi_1547_: bool;
-    var phi_1548_: type_41;
-    var phi_1549_: bool;
-    var phi_1554_: type_41;
-    var phi_2099_: bool;
-    var phi_2114_: f64;
-    var phi_2190_: type_16;
-    var phi_2193_: f64;
+    var phi_374_: u32;
+    var phi_419_: u32;
+    var phi_422_: type_9;
+    var phi_596_: type_23;
+    var phi_792_: type_31;
+    var phi_953_: type_33;
+    var phi_1449_: bool;
+    var phi_1545_: type_41;
+    var phi_1546_: bool;
+    var phi_1547_: type_41;
+    var phi_1548_: bool;
+    var phi_1549_: type_41;
+    var phi_1550_: bool;
+    var phi_1555_: type_41;
+    var phi_2100_: bool;
+    var phi_2115_: f64;
     var phi_2191_: type_16;
-    var phi_2234_: type_17;
     var phi_2194_: f64;
+    var phi_2192_: type_16;
+    var phi_2235_: type_17;
+    var phi_2195_: f64;
     var local_7: f64;
-    var phi_2247_: f64;
-    var phi_2278_: type_9;
-    var phi_2281_: u32;
-    var phi_2348_: u32;
-    var phi_2349_: u32;
+    var phi_2248_: f64;
+    var phi_2279_: type_9;
     var phi_2282_: u32;
+    var phi_2349_: u32;
     var phi_2350_: u32;
-    var phi_2408_: type_9;
-    var phi_2568_: type_43;
-    var phi_2569_: bool;
-    var phi_2570_: type_43;
-    var phi_2571_: bool;
-    var phi_2606_: type_9;
-    var phi_2609_: f64;
-    var phi_2611_: f64;
-    var phi_2613_: f64;
-    var phi_2727_: bool;
-    var phi_2734_: f64;
-    var phi_2735_: bool;
+    var phi_2283_: u32;
+    var phi_2351_: u32;
+    var phi_2409_: type_9;
+    var phi_2569_: type_43;
+    var phi_2570_: bool;
+    var phi_2571_: type_43;
+    var phi_2572_: bool;
+    var phi_2607_: type_9;
     var phi_2610_: f64;
     var phi_2612_: f64;
     var phi_2614_: f64;
-    var phi_2736_: f64;
-    var phi_2737_: bool;
+    var phi_2728_: bool;
+    var phi_2735_: f64;
+    var phi_2736_: bool;
+    var phi_2611_: f64;
+    var phi_2613_: f64;
+    var phi_2615_: f64;
+    var phi_2737_: f64;
     var phi_2738_: bool;
+    var phi_2739_: bool;
     var local_8: bool;
     var local_9: f64;
     var local_10: f64;
-    var phi_2743_: f64;
-    var phi_2761_: type_9;
-    var phi_2764_: f64;
-    var phi_2830_: f64;
-    var phi_2831_: bool;
+    var phi_2744_: f64;
+    var phi_2762_: type_9;
+    var phi_2765_: f64;
+    var phi_2831_: f64;
     var phi_2832_: bool;
     var phi_2833_: bool;
-    var phi_2834_: f64;
-    var phi_2765_: f64;
-    var phi_2835_: bool;
+    var phi_2834_: bool;
+    var phi_2835_: f64;
+    var phi_2766_: f64;
     var phi_2836_: bool;
     var phi_2837_: bool;
     var phi_2838_: bool;
+    var phi_2839_: bool;
     var local_11: bool;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: f64;
-    var phi_2852_: f64;
-    var phi_2854_: type_43;
-    var phi_3619_: array<type_35, 4>;
-    var phi_3639_: type_9;
-    var phi_3642_: bool;
+    var phi_2853_: f64;
+    var phi_2855_: type_43;
+    var phi_3620_: array<type_35, 4>;
+    var phi_3640_: type_9;
     var phi_3643_: bool;
-    var phi_3694_: bool;
+    var phi_3644_: bool;
     var phi_3695_: bool;
+    var phi_3696_: bool;
     var local_16: bool;
     var local_17: bool;
-    var phi_3709_: u32;
     var phi_3710_: u32;
-    var phi_3711_: bool;
-    var phi_3721_: u32;
-    var phi_3722_: bool;
+    var phi_3711_: u32;
+    var phi_3712_: bool;
+    var phi_3722_: u32;
     var phi_3723_: bool;
-    var phi_3724_: u32;
-    var phi_3725_: bool;
+    var phi_3724_: bool;
+    var phi_3725_: u32;
     var phi_3726_: bool;
     var phi_3727_: bool;
-    var phi_3728_: type_43;
-    var phi_3729_: u32;
-    var phi_3730_: bool;
+    var phi_3728_: bool;
+    var phi_3729_: type_43;
+    var phi_3730_: u32;
     var phi_3731_: bool;
     var phi_3732_: bool;
-    var phi_3733_: type_43;
-    var phi_3734_: u32;
-    var phi_3735_: bool;
+    var phi_3733_: bool;
+    var phi_3734_: type_43;
+    var phi_3735_: u32;
     var phi_3736_: bool;
     var phi_3737_: bool;
     var phi_3738_: bool;
-    var phi_3745_: type_43;
-    var phi_3746_: u32;
-    var phi_3747_: bool;
+    var phi_3739_: bool;
+    var phi_3746_: type_43;
+    var phi_3747_: u32;
     var phi_3748_: bool;
     var phi_3749_: bool;
     var phi_3750_: bool;
     var phi_3751_: bool;
-    var phi_3752_: type_43;
-    var phi_3753_: u32;
-    var phi_3754_: type_43;
-    var phi_3755_: bool;
+    var phi_3752_: bool;
+    var phi_3753_: type_43;
+    var phi_3754_: u32;
+    var phi_3755_: type_43;
     var phi_3756_: bool;
     var phi_3757_: bool;
     var phi_3758_: bool;
     var phi_3759_: bool;
     var phi_3760_: bool;
+    var phi_3761_: bool;
     var local_18: bool;
     var local_19: bool;
     var local_20: bool;
@@ -373,23 +373,23 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_30: type_43;
     var local_31: type_43;
     var local_32: type_43;
-    var phi_3809_: type_42;
-    var phi_3810_: bool;
-    var phi_3815_: type_42;
-    var phi_3816_: bool;
+    var phi_3810_: type_42;
+    var phi_3811_: bool;
+    var phi_3816_: type_42;
     var phi_3817_: bool;
     var phi_3818_: bool;
+    var phi_3819_: bool;
     var local_33: type_43;
     var local_34: type_43;
-    var phi_3840_: type_42;
     var phi_3841_: type_42;
-    var phi_3842_: bool;
-    var phi_3886_: type_34;
-    var phi_3895_: type_9;
-    var phi_3952_: bool;
+    var phi_3842_: type_42;
+    var phi_3843_: bool;
+    var phi_3887_: type_34;
+    var phi_3896_: type_9;
     var phi_3953_: bool;
-    var phi_3996_: u32;
-    var phi_4078_: u32;
+    var phi_3954_: bool;
+    var phi_3998_: u32;
+    var phi_4080_: u32;
     var local_35: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -398,1154 +398,1154 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e94 = id_2;
-    let _e95 = n_2;
-    let _e96 = lane_2;
-    let _e109 = ((_e94.y * _e95.x) + _e94.x);
-    let _e112 = (_e95.x * _e95.y);
-    let _e115 = params.member.member_1.member_2;
-    let _e117 = input.member[0u];
-    let _e119 = select(_e117, _e115, (_e115 < _e117));
-    let _e121 = params.member.member_1.member_1;
-    if (_e119 > _e121) {
-        let _e124 = params.member.member_1.member_1;
-        phi_373_ = (_e119 - _e124);
+    let _e95 = id_2;
+    let _e96 = n_2;
+    let _e97 = lane_2;
+    let _e110 = ((_e95.y * _e96.x) + _e95.x);
+    let _e113 = (_e96.x * _e96.y);
+    let _e116 = params.member.member_1.member_2;
+    let _e118 = input.member[0u];
+    let _e120 = select(_e118, _e116, (_e116 < _e118));
+    let _e122 = params.member.member_1.member_1;
+    if (_e120 > _e122) {
+        let _e125 = params.member.member_1.member_1;
+        phi_374_ = (_e120 - _e125);
     } else {
-        phi_373_ = 0u;
+        phi_374_ = 0u;
     }
-    let _e127 = phi_373_;
-    let _e129 = params.member.member_1.member;
-    let _e131 = select(_e127, _e129, (_e129 < _e127));
-    let _e132 = (_e131 / 64u);
-    let _e136 = select(_e132, (_e132 + 1u), ((_e131 % 64u) > 0u));
-    if (_e136 > _e109) {
-        let _e138 = (_e136 - _e109);
-        if (_e112 == 0u) {
+    let _e128 = phi_374_;
+    let _e130 = params.member.member_1.member;
+    let _e132 = select(_e128, _e130, (_e130 < _e128));
+    let _e133 = (_e132 / 64u);
+    let _e137 = select(_e133, (_e133 + 1u), ((_e132 % 64u) > 0u));
+    if (_e137 > _e110) {
+        let _e139 = (_e137 - _e110);
+        if (_e113 == 0u) {
             return;
         }
-        let _e140 = (_e138 / _e112);
-        if (_e112 == 0u) {
+        let _e141 = (_e139 / _e113);
+        if (_e113 == 0u) {
             return;
         }
-        phi_418_ = select(_e140, (_e140 + 1u), ((_e138 % _e112) > 0u));
+        phi_419_ = select(_e141, (_e141 + 1u), ((_e139 % _e113) > 0u));
     } else {
-        phi_418_ = 0u;
+        phi_419_ = 0u;
     }
-    let _e147 = phi_418_;
-    phi_421_ = type_9(0u, _e147);
+    let _e148 = phi_419_;
+    phi_422_ = type_9(0u, _e148);
     loop {
-        let _e150 = phi_421_;
-        let _e153 = (_e150.member < _e150.member_1);
-        let _e166 = (bitcast<i32>(select(0u, 1u, _e153)) != 0i);
-        if _e166 {
-            let _e170 = (((_e109 + (select(type_9().member_1, _e150.member, _e153) * _e112)) * 64u) + _e96);
+        let _e151 = phi_422_;
+        let _e154 = (_e151.member < _e151.member_1);
+        let _e167 = (bitcast<i32>(select(0u, 1u, _e154)) != 0i);
+        if _e167 {
+            let _e171 = (((_e110 + (select(type_9().member_1, _e151.member, _e154) * _e113)) * 64u) + _e97);
             local_6 = type_34(0u, 0u, array<u32, 2>(0u, 0u), false);
-            if (_e170 < _e131) {
-                let _e174 = params.member.member_1.member_1;
-                let _e176 = (2u * (_e174 + _e170));
-                let _e179 = input.member[(4u + _e176)];
-                let _e182 = input.member[(_e176 + 5u)];
-                let _e187 = (_e182 & 2147483647u);
-                if (select(1u, 0u, ((_e182 & 2147483648u) == 0u)) == 0u) {
-                    let _e206 = params.member.member.member[1u];
-                    let _e209 = ((2u * _e206) + (3u * _e187));
-                    let _e211 = elements.member[_e209];
-                    let _e214 = elements.member[(_e209 + 1u)];
-                    let _e217 = elements.member[(_e209 + 2u)];
-                    phi_595_ = type_23(0u, array<u32, 4>(_e179, _e211, _e214, _e217));
+            if (_e171 < _e132) {
+                let _e175 = params.member.member_1.member_1;
+                let _e177 = (2u * (_e175 + _e171));
+                let _e180 = input.member[(4u + _e177)];
+                let _e183 = input.member[(_e177 + 5u)];
+                let _e188 = (_e183 & 2147483647u);
+                if (select(1u, 0u, ((_e183 & 2147483648u) == 0u)) == 0u) {
+                    let _e207 = params.member.member.member[1u];
+                    let _e210 = ((2u * _e207) + (3u * _e188));
+                    let _e212 = elements.member[_e210];
+                    let _e215 = elements.member[(_e210 + 1u)];
+                    let _e218 = elements.member[(_e210 + 2u)];
+                    phi_596_ = type_23(0u, array<u32, 4>(_e180, _e212, _e215, _e218));
                 } else {
-                    let _e190 = (2u * _e179);
-                    let _e192 = elements.member[_e190];
-                    let _e195 = elements.member[(_e190 + 1u)];
-                    let _e196 = (2u * _e187);
-                    let _e198 = elements.member[_e196];
-                    let _e201 = elements.member[(_e196 + 1u)];
-                    phi_595_ = type_23(1u, array<u32, 4>(_e192, _e195, _e198, _e201));
+                    let _e191 = (2u * _e180);
+                    let _e193 = elements.member[_e191];
+                    let _e196 = elements.member[(_e191 + 1u)];
+                    let _e197 = (2u * _e188);
+                    let _e199 = elements.member[_e197];
+                    let _e202 = elements.member[(_e197 + 1u)];
+                    phi_596_ = type_23(1u, array<u32, 4>(_e193, _e196, _e199, _e202));
                 }
-                let _e221 = phi_595_;
-                let _e225 = params.member.member.member_1;
-                if ((_e225 & 8u) != 0u) {
-                    let _e269 = paths.member[_e221.member_1[0]];
-                    let _e284 = paths.member[_e221.member_1[1]];
-                    let _e299 = paths.member[_e221.member_1[2]];
-                    let _e314 = paths.member[_e221.member_1[3]];
-                    let _e335 = function_(array<f32, 3>(_e269.member.x, _e269.member.y, _e269.member.z));
-                    let _e336 = function_(array<f32, 3>(_e284.member.x, _e284.member.y, _e284.member.z));
-                    let _e337 = function_(array<f32, 3>(_e299.member.x, _e299.member.y, _e299.member.z));
-                    let _e338 = function_(array<f32, 3>(_e314.member.x, _e314.member.y, _e314.member.z));
-                    let _e340 = function_(array<f32, 3>(_e269.member_1.x, _e269.member_1.y, _e269.member_1.z));
-                    let _e341 = function_(array<f32, 3>(_e284.member_1.x, _e284.member_1.y, _e284.member_1.z));
-                    let _e342 = function_(array<f32, 3>(_e299.member_1.x, _e299.member_1.y, _e299.member_1.z));
-                    let _e343 = function_(array<f32, 3>(_e314.member_1.x, _e314.member_1.y, _e314.member_1.z));
-                    phi_791_ = type_31(array<array<f64, 3>, 4>(_e335, _e336, _e337, _e338), array<array<f64, 3>, 4>(_e340, _e341, _e342, _e343));
+                let _e222 = phi_596_;
+                let _e226 = params.member.member.member_1;
+                if ((_e226 & 8u) != 0u) {
+                    let _e270 = paths.member[_e222.member_1[0]];
+                    let _e285 = paths.member[_e222.member_1[1]];
+                    let _e300 = paths.member[_e222.member_1[2]];
+                    let _e315 = paths.member[_e222.member_1[3]];
+                    let _e336 = function_(array<f32, 3>(_e270.member.x, _e270.member.y, _e270.member.z));
+                    let _e337 = function_(array<f32, 3>(_e285.member.x, _e285.member.y, _e285.member.z));
+                    let _e338 = function_(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member.z));
+                    let _e339 = function_(array<f32, 3>(_e315.member.x, _e315.member.y, _e315.member.z));
+                    let _e341 = function_(array<f32, 3>(_e270.member_1.x, _e270.member_1.y, _e270.member_1.z));
+                    let _e342 = function_(array<f32, 3>(_e285.member_1.x, _e285.member_1.y, _e285.member_1.z));
+                    let _e343 = function_(array<f32, 3>(_e300.member_1.x, _e300.member_1.y, _e300.member_1.z));
+                    let _e344 = function_(array<f32, 3>(_e315.member_1.x, _e315.member_1.y, _e315.member_1.z));
+                    phi_792_ = type_31(array<array<f64, 3>, 4>(_e336, _e337, _e338, _e339), array<array<f64, 3>, 4>(_e341, _e342, _e343, _e344));
                 } else {
-                    let _e230 = positions.member[_e221.member_1[0]];
-                    let _e233 = params.member.member.member[0u];
-                    let _e236 = positions.member[(_e233 + _e221.member_1[0])];
-                    let _e239 = positions.member[_e221.member_1[1]];
-                    let _e242 = params.member.member.member[0u];
-                    let _e245 = positions.member[(_e242 + _e221.member_1[1])];
-                    let _e248 = positions.member[_e221.member_1[2]];
-                    let _e251 = params.member.member.member[0u];
-                    let _e254 = positions.member[(_e251 + _e221.member_1[2])];
-                    let _e257 = positions.member[_e221.member_1[3]];
-                    let _e260 = params.member.member.member[0u];
-                    let _e263 = positions.member[(_e260 + _e221.member_1[3])];
-                    phi_791_ = type_31(array<array<f64, 3>, 4>(_e230, _e239, _e248, _e257), array<array<f64, 3>, 4>(_e236, _e245, _e254, _e263));
+                    let _e231 = positions.member[_e222.member_1[0]];
+                    let _e234 = params.member.member.member[0u];
+                    let _e237 = positions.member[(_e234 + _e222.member_1[0])];
+                    let _e240 = positions.member[_e222.member_1[1]];
+                    let _e243 = params.member.member.member[0u];
+                    let _e246 = positions.member[(_e243 + _e222.member_1[1])];
+                    let _e249 = positions.member[_e222.member_1[2]];
+                    let _e252 = params.member.member.member[0u];
+                    let _e255 = positions.member[(_e252 + _e222.member_1[2])];
+                    let _e258 = positions.member[_e222.member_1[3]];
+                    let _e261 = params.member.member.member[0u];
+                    let _e264 = positions.member[(_e261 + _e222.member_1[3])];
+                    phi_792_ = type_31(array<array<f64, 3>, 4>(_e231, _e240, _e249, _e258), array<array<f64, 3>, 4>(_e237, _e246, _e255, _e264));
                 }
-                let _e347 = phi_791_;
-                if (_e221.member != 0u) {
-                    phi_952_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[2][0] - _e347.member[0][0]), (_e347.member[2][1] - _e347.member[0][1]), (_e347.member[2][2] - _e347.member[0][2])), array<f64, 3>((_e347.member_1[2][0] - _e347.member_1[0][0]), (_e347.member_1[2][1] - _e347.member_1[0][1]), (_e347.member_1[2][2] - _e347.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[1][0] - _e347.member[0][0]), (_e347.member[1][1] - _e347.member[0][1]), (_e347.member[1][2] - _e347.member[0][2])), array<f64, 3>((_e347.member_1[1][0] - _e347.member_1[0][0]), (_e347.member_1[1][1] - _e347.member_1[0][1]), (_e347.member_1[1][2] - _e347.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[2][0] - _e347.member[3][0]), (_e347.member[2][1] - _e347.member[3][1]), (_e347.member[2][2] - _e347.member[3][2])), array<f64, 3>((_e347.member_1[2][0] - _e347.member_1[3][0]), (_e347.member_1[2][1] - _e347.member_1[3][1]), (_e347.member_1[2][2] - _e347.member_1[3][2]))), (0.0lf + 0.0lf));
+                let _e348 = phi_792_;
+                if (_e222.member != 0u) {
+                    phi_953_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e348.member[2][0] - _e348.member[0][0]), (_e348.member[2][1] - _e348.member[0][1]), (_e348.member[2][2] - _e348.member[0][2])), array<f64, 3>((_e348.member_1[2][0] - _e348.member_1[0][0]), (_e348.member_1[2][1] - _e348.member_1[0][1]), (_e348.member_1[2][2] - _e348.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e348.member[1][0] - _e348.member[0][0]), (_e348.member[1][1] - _e348.member[0][1]), (_e348.member[1][2] - _e348.member[0][2])), array<f64, 3>((_e348.member_1[1][0] - _e348.member_1[0][0]), (_e348.member_1[1][1] - _e348.member_1[0][1]), (_e348.member_1[1][2] - _e348.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e348.member[2][0] - _e348.member[3][0]), (_e348.member[2][1] - _e348.member[3][1]), (_e348.member[2][2] - _e348.member[3][2])), array<f64, 3>((_e348.member_1[2][0] - _e348.member_1[3][0]), (_e348.member_1[2][1] - _e348.member_1[3][1]), (_e348.member_1[2][2] - _e348.member_1[3][2]))), (0.0lf + 0.0lf));
                 } else {
-                    phi_952_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[0][0] - _e347.member[1][0]), (_e347.member[0][1] - _e347.member[1][1]), (_e347.member[0][2] - _e347.member[1][2])), array<f64, 3>((_e347.member_1[0][0] - _e347.member_1[1][0]), (_e347.member_1[0][1] - _e347.member_1[1][1]), (_e347.member_1[0][2] - _e347.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[2][0] - _e347.member[1][0]), (_e347.member[2][1] - _e347.member[1][1]), (_e347.member[2][2] - _e347.member[1][2])), array<f64, 3>((_e347.member_1[2][0] - _e347.member_1[1][0]), (_e347.member_1[2][1] - _e347.member_1[1][1]), (_e347.member_1[2][2] - _e347.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[3][0] - _e347.member[1][0]), (_e347.member[3][1] - _e347.member[1][1]), (_e347.member[3][2] - _e347.member[1][2])), array<f64, 3>((_e347.member_1[3][0] - _e347.member_1[1][0]), (_e347.member_1[3][1] - _e347.member_1[1][1]), (_e347.member_1[3][2] - _e347.member_1[1][2]))), (0.0lf + 0.0lf));
+                    phi_953_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e348.member[0][0] - _e348.member[1][0]), (_e348.member[0][1] - _e348.member[1][1]), (_e348.member[0][2] - _e348.member[1][2])), array<f64, 3>((_e348.member_1[0][0] - _e348.member_1[1][0]), (_e348.member_1[0][1] - _e348.member_1[1][1]), (_e348.member_1[0][2] - _e348.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e348.member[2][0] - _e348.member[1][0]), (_e348.member[2][1] - _e348.member[1][1]), (_e348.member[2][2] - _e348.member[1][2])), array<f64, 3>((_e348.member_1[2][0] - _e348.member_1[1][0]), (_e348.member_1[2][1] - _e348.member_1[1][1]), (_e348.member_1[2][2] - _e348.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e348.member[3][0] - _e348.member[1][0]), (_e348.member[3][1] - _e348.member[1][1]), (_e348.member[3][2] - _e348.member[1][2])), array<f64, 3>((_e348.member_1[3][0] - _e348.member_1[1][0]), (_e348.member_1[3][1] - _e348.member_1[1][1]), (_e348.member_1[3][2] - _e348.member_1[1][2]))), (0.0lf + 0.0lf));
                 }
-                let _e506 = phi_952_;
-                let _e508 = params.member.member.member_14;
-                let _e515 = bitcast<f64>(((u64(_e508[1]) * 4294967296lu) + u64(_e508[0])));
-                let _e517 = params.member.member.member_15;
-                let _e524 = bitcast<f64>(((u64(_e517[1]) * 4294967296lu) + u64(_e517[0])));
-                let _e526 = params.member.member.member_16;
-                let _e533 = bitcast<f64>(((u64(_e526[1]) * 4294967296lu) + u64(_e526[0])));
-                let _e535 = params.member.member.member_16;
-                let _e542 = bitcast<f64>(((u64(_e535[1]) * 4294967296lu) + u64(_e535[0])));
-                let _e543 = f64(0f);
-                let _e549 = select(_e506.member[0][0], -(_e506.member[0][0]), (_e506.member[0][0] < 0.0lf));
-                let _e553 = select(_e506.member[0][1], -(_e506.member[0][1]), (_e506.member[0][1] < 0.0lf));
-                let _e555 = select(_e553, _e549, (_e549 > _e553));
-                let _e559 = select(_e506.member[0][2], -(_e506.member[0][2]), (_e506.member[0][2] < 0.0lf));
-                let _e561 = select(_e559, _e555, (_e555 > _e559));
-                let _e567 = select(_e506.member[1][0], -(_e506.member[1][0]), (_e506.member[1][0] < 0.0lf));
-                let _e571 = select(_e506.member[1][1], -(_e506.member[1][1]), (_e506.member[1][1] < 0.0lf));
-                let _e573 = select(_e571, _e567, (_e567 > _e571));
-                let _e577 = select(_e506.member[1][2], -(_e506.member[1][2]), (_e506.member[1][2] < 0.0lf));
-                let _e579 = select(_e577, _e573, (_e573 > _e577));
-                let _e583 = (select(_e579, _e561, (_e561 > _e579)) + _e506.member_3);
-                let _e589 = select(_e506.member_1[0][0], -(_e506.member_1[0][0]), (_e506.member_1[0][0] < 0.0lf));
-                let _e593 = select(_e506.member_1[0][1], -(_e506.member_1[0][1]), (_e506.member_1[0][1] < 0.0lf));
-                let _e595 = select(_e593, _e589, (_e589 > _e593));
-                let _e599 = select(_e506.member_1[0][2], -(_e506.member_1[0][2]), (_e506.member_1[0][2] < 0.0lf));
-                let _e601 = select(_e599, _e595, (_e595 > _e599));
-                let _e607 = select(_e506.member_1[1][0], -(_e506.member_1[1][0]), (_e506.member_1[1][0] < 0.0lf));
-                let _e611 = select(_e506.member_1[1][1], -(_e506.member_1[1][1]), (_e506.member_1[1][1] < 0.0lf));
-                let _e613 = select(_e611, _e607, (_e607 > _e611));
-                let _e617 = select(_e506.member_1[1][2], -(_e506.member_1[1][2]), (_e506.member_1[1][2] < 0.0lf));
-                let _e619 = select(_e617, _e613, (_e613 > _e617));
-                let _e623 = (select(_e619, _e601, (_e601 > _e619)) + _e506.member_3);
-                let _e629 = select(_e506.member_2[0][0], -(_e506.member_2[0][0]), (_e506.member_2[0][0] < 0.0lf));
-                let _e633 = select(_e506.member_2[0][1], -(_e506.member_2[0][1]), (_e506.member_2[0][1] < 0.0lf));
-                let _e635 = select(_e633, _e629, (_e629 > _e633));
-                let _e639 = select(_e506.member_2[0][2], -(_e506.member_2[0][2]), (_e506.member_2[0][2] < 0.0lf));
-                let _e641 = select(_e639, _e635, (_e635 > _e639));
-                let _e647 = select(_e506.member_2[1][0], -(_e506.member_2[1][0]), (_e506.member_2[1][0] < 0.0lf));
-                let _e651 = select(_e506.member_2[1][1], -(_e506.member_2[1][1]), (_e506.member_2[1][1] < 0.0lf));
-                let _e653 = select(_e651, _e647, (_e647 > _e651));
-                let _e657 = select(_e506.member_2[1][2], -(_e506.member_2[1][2]), (_e506.member_2[1][2] < 0.0lf));
-                let _e659 = select(_e657, _e653, (_e653 > _e657));
-                let _e663 = (select(_e659, _e641, (_e641 > _e659)) + _e506.member_3);
-                let _e665 = select(_e623, _e583, (_e583 > _e623));
-                let _e667 = select(_e663, _e665, (_e665 > _e663));
-                let _e673 = select(_e506.member[0][0], -(_e506.member[0][0]), (_e506.member[0][0] < 0.0lf));
-                let _e677 = select(_e506.member[0][1], -(_e506.member[0][1]), (_e506.member[0][1] < 0.0lf));
-                let _e679 = select(_e677, _e673, (_e673 > _e677));
-                let _e683 = select(_e506.member[0][2], -(_e506.member[0][2]), (_e506.member[0][2] < 0.0lf));
-                let _e685 = select(_e683, _e679, (_e679 > _e683));
-                let _e691 = select(_e506.member[1][0], -(_e506.member[1][0]), (_e506.member[1][0] < 0.0lf));
-                let _e695 = select(_e506.member[1][1], -(_e506.member[1][1]), (_e506.member[1][1] < 0.0lf));
-                let _e697 = select(_e695, _e691, (_e691 > _e695));
-                let _e701 = select(_e506.member[1][2], -(_e506.member[1][2]), (_e506.member[1][2] < 0.0lf));
-                let _e703 = select(_e701, _e697, (_e697 > _e701));
-                let _e707 = (select(_e703, _e685, (_e685 > _e703)) + _e506.member_3);
-                let _e713 = select(_e506.member_1[0][0], -(_e506.member_1[0][0]), (_e506.member_1[0][0] < 0.0lf));
-                let _e717 = select(_e506.member_1[0][1], -(_e506.member_1[0][1]), (_e506.member_1[0][1] < 0.0lf));
-                let _e719 = select(_e717, _e713, (_e713 > _e717));
-                let _e723 = select(_e506.member_1[0][2], -(_e506.member_1[0][2]), (_e506.member_1[0][2] < 0.0lf));
-                let _e725 = select(_e723, _e719, (_e719 > _e723));
-                let _e731 = select(_e506.member_1[1][0], -(_e506.member_1[1][0]), (_e506.member_1[1][0] < 0.0lf));
-                let _e735 = select(_e506.member_1[1][1], -(_e506.member_1[1][1]), (_e506.member_1[1][1] < 0.0lf));
-                let _e737 = select(_e735, _e731, (_e731 > _e735));
-                let _e741 = select(_e506.member_1[1][2], -(_e506.member_1[1][2]), (_e506.member_1[1][2] < 0.0lf));
-                let _e743 = select(_e741, _e737, (_e737 > _e741));
-                let _e747 = (select(_e743, _e725, (_e725 > _e743)) + _e506.member_3);
-                let _e753 = select(_e506.member_2[0][0], -(_e506.member_2[0][0]), (_e506.member_2[0][0] < 0.0lf));
-                let _e757 = select(_e506.member_2[0][1], -(_e506.member_2[0][1]), (_e506.member_2[0][1] < 0.0lf));
-                let _e759 = select(_e757, _e753, (_e753 > _e757));
-                let _e763 = select(_e506.member_2[0][2], -(_e506.member_2[0][2]), (_e506.member_2[0][2] < 0.0lf));
-                let _e765 = select(_e763, _e759, (_e759 > _e763));
-                let _e771 = select(_e506.member_2[1][0], -(_e506.member_2[1][0]), (_e506.member_2[1][0] < 0.0lf));
-                let _e775 = select(_e506.member_2[1][1], -(_e506.member_2[1][1]), (_e506.member_2[1][1] < 0.0lf));
-                let _e777 = select(_e775, _e771, (_e771 > _e775));
-                let _e781 = select(_e506.member_2[1][2], -(_e506.member_2[1][2]), (_e506.member_2[1][2] < 0.0lf));
-                let _e783 = select(_e781, _e777, (_e777 > _e781));
-                let _e787 = (select(_e783, _e765, (_e765 > _e783)) + _e506.member_3);
-                let _e789 = select(_e747, _e707, (_e707 > _e747));
-                let _e791 = select(_e787, _e789, (_e789 > _e787));
-                if (_e791 <= f64(65536f)) {
-                    phi_1448_ = (_e791 >= f64((1f / 65536f)));
+                let _e507 = phi_953_;
+                let _e509 = params.member.member.member_14;
+                let _e516 = bitcast<f64>(((u64(_e509[1]) * 4294967296lu) + u64(_e509[0])));
+                let _e518 = params.member.member.member_15;
+                let _e525 = bitcast<f64>(((u64(_e518[1]) * 4294967296lu) + u64(_e518[0])));
+                let _e527 = params.member.member.member_16;
+                let _e534 = bitcast<f64>(((u64(_e527[1]) * 4294967296lu) + u64(_e527[0])));
+                let _e536 = params.member.member.member_16;
+                let _e543 = bitcast<f64>(((u64(_e536[1]) * 4294967296lu) + u64(_e536[0])));
+                let _e544 = f64(0f);
+                let _e550 = select(_e507.member[0][0], -(_e507.member[0][0]), (_e507.member[0][0] < 0.0lf));
+                let _e554 = select(_e507.member[0][1], -(_e507.member[0][1]), (_e507.member[0][1] < 0.0lf));
+                let _e556 = select(_e554, _e550, (_e550 > _e554));
+                let _e560 = select(_e507.member[0][2], -(_e507.member[0][2]), (_e507.member[0][2] < 0.0lf));
+                let _e562 = select(_e560, _e556, (_e556 > _e560));
+                let _e568 = select(_e507.member[1][0], -(_e507.member[1][0]), (_e507.member[1][0] < 0.0lf));
+                let _e572 = select(_e507.member[1][1], -(_e507.member[1][1]), (_e507.member[1][1] < 0.0lf));
+                let _e574 = select(_e572, _e568, (_e568 > _e572));
+                let _e578 = select(_e507.member[1][2], -(_e507.member[1][2]), (_e507.member[1][2] < 0.0lf));
+                let _e580 = select(_e578, _e574, (_e574 > _e578));
+                let _e584 = (select(_e580, _e562, (_e562 > _e580)) + _e507.member_3);
+                let _e590 = select(_e507.member_1[0][0], -(_e507.member_1[0][0]), (_e507.member_1[0][0] < 0.0lf));
+                let _e594 = select(_e507.member_1[0][1], -(_e507.member_1[0][1]), (_e507.member_1[0][1] < 0.0lf));
+                let _e596 = select(_e594, _e590, (_e590 > _e594));
+                let _e600 = select(_e507.member_1[0][2], -(_e507.member_1[0][2]), (_e507.member_1[0][2] < 0.0lf));
+                let _e602 = select(_e600, _e596, (_e596 > _e600));
+                let _e608 = select(_e507.member_1[1][0], -(_e507.member_1[1][0]), (_e507.member_1[1][0] < 0.0lf));
+                let _e612 = select(_e507.member_1[1][1], -(_e507.member_1[1][1]), (_e507.member_1[1][1] < 0.0lf));
+                let _e614 = select(_e612, _e608, (_e608 > _e612));
+                let _e618 = select(_e507.member_1[1][2], -(_e507.member_1[1][2]), (_e507.member_1[1][2] < 0.0lf));
+                let _e620 = select(_e618, _e614, (_e614 > _e618));
+                let _e624 = (select(_e620, _e602, (_e602 > _e620)) + _e507.member_3);
+                let _e630 = select(_e507.member_2[0][0], -(_e507.member_2[0][0]), (_e507.member_2[0][0] < 0.0lf));
+                let _e634 = select(_e507.member_2[0][1], -(_e507.member_2[0][1]), (_e507.member_2[0][1] < 0.0lf));
+                let _e636 = select(_e634, _e630, (_e630 > _e634));
+                let _e640 = select(_e507.member_2[0][2], -(_e507.member_2[0][2]), (_e507.member_2[0][2] < 0.0lf));
+                let _e642 = select(_e640, _e636, (_e636 > _e640));
+                let _e648 = select(_e507.member_2[1][0], -(_e507.member_2[1][0]), (_e507.member_2[1][0] < 0.0lf));
+                let _e652 = select(_e507.member_2[1][1], -(_e507.member_2[1][1]), (_e507.member_2[1][1] < 0.0lf));
+                let _e654 = select(_e652, _e648, (_e648 > _e652));
+                let _e658 = select(_e507.member_2[1][2], -(_e507.member_2[1][2]), (_e507.member_2[1][2] < 0.0lf));
+                let _e660 = select(_e658, _e654, (_e654 > _e658));
+                let _e664 = (select(_e660, _e642, (_e642 > _e660)) + _e507.member_3);
+                let _e666 = select(_e624, _e584, (_e584 > _e624));
+                let _e668 = select(_e664, _e666, (_e666 > _e664));
+                let _e674 = select(_e507.member[0][0], -(_e507.member[0][0]), (_e507.member[0][0] < 0.0lf));
+                let _e678 = select(_e507.member[0][1], -(_e507.member[0][1]), (_e507.member[0][1] < 0.0lf));
+                let _e680 = select(_e678, _e674, (_e674 > _e678));
+                let _e684 = select(_e507.member[0][2], -(_e507.member[0][2]), (_e507.member[0][2] < 0.0lf));
+                let _e686 = select(_e684, _e680, (_e680 > _e684));
+                let _e692 = select(_e507.member[1][0], -(_e507.member[1][0]), (_e507.member[1][0] < 0.0lf));
+                let _e696 = select(_e507.member[1][1], -(_e507.member[1][1]), (_e507.member[1][1] < 0.0lf));
+                let _e698 = select(_e696, _e692, (_e692 > _e696));
+                let _e702 = select(_e507.member[1][2], -(_e507.member[1][2]), (_e507.member[1][2] < 0.0lf));
+                let _e704 = select(_e702, _e698, (_e698 > _e702));
+                let _e708 = (select(_e704, _e686, (_e686 > _e704)) + _e507.member_3);
+                let _e714 = select(_e507.member_1[0][0], -(_e507.member_1[0][0]), (_e507.member_1[0][0] < 0.0lf));
+                let _e718 = select(_e507.member_1[0][1], -(_e507.member_1[0][1]), (_e507.member_1[0][1] < 0.0lf));
+                let _e720 = select(_e718, _e714, (_e714 > _e718));
+                let _e724 = select(_e507.member_1[0][2], -(_e507.member_1[0][2]), (_e507.member_1[0][2] < 0.0lf));
+                let _e726 = select(_e724, _e720, (_e720 > _e724));
+                let _e732 = select(_e507.member_1[1][0], -(_e507.member_1[1][0]), (_e507.member_1[1][0] < 0.0lf));
+                let _e736 = select(_e507.member_1[1][1], -(_e507.member_1[1][1]), (_e507.member_1[1][1] < 0.0lf));
+                let _e738 = select(_e736, _e732, (_e732 > _e736));
+                let _e742 = select(_e507.member_1[1][2], -(_e507.member_1[1][2]), (_e507.member_1[1][2] < 0.0lf));
+                let _e744 = select(_e742, _e738, (_e738 > _e742));
+                let _e748 = (select(_e744, _e726, (_e726 > _e744)) + _e507.member_3);
+                let _e754 = select(_e507.member_2[0][0], -(_e507.member_2[0][0]), (_e507.member_2[0][0] < 0.0lf));
+                let _e758 = select(_e507.member_2[0][1], -(_e507.member_2[0][1]), (_e507.member_2[0][1] < 0.0lf));
+                let _e760 = select(_e758, _e754, (_e754 > _e758));
+                let _e764 = select(_e507.member_2[0][2], -(_e507.member_2[0][2]), (_e507.member_2[0][2] < 0.0lf));
+                let _e766 = select(_e764, _e760, (_e760 > _e764));
+                let _e772 = select(_e507.member_2[1][0], -(_e507.member_2[1][0]), (_e507.member_2[1][0] < 0.0lf));
+                let _e776 = select(_e507.member_2[1][1], -(_e507.member_2[1][1]), (_e507.member_2[1][1] < 0.0lf));
+                let _e778 = select(_e776, _e772, (_e772 > _e776));
+                let _e782 = select(_e507.member_2[1][2], -(_e507.member_2[1][2]), (_e507.member_2[1][2] < 0.0lf));
+                let _e784 = select(_e782, _e778, (_e778 > _e782));
+                let _e788 = (select(_e784, _e766, (_e766 > _e784)) + _e507.member_3);
+                let _e790 = select(_e748, _e708, (_e708 > _e748));
+                let _e792 = select(_e788, _e790, (_e790 > _e788));
+                if (_e792 <= f64(65536f)) {
+                    phi_1449_ = (_e792 >= f64((1f / 65536f)));
                 } else {
-                    phi_1448_ = false;
+                    phi_1449_ = false;
                 }
-                let _e798 = phi_1448_;
-                if _e798 {
-                    phi_1548_ = type_41();
-                    phi_1549_ = true;
+                let _e799 = phi_1449_;
+                if _e799 {
+                    phi_1549_ = type_41();
+                    phi_1550_ = true;
                 } else {
-                    if (_e667 >= 2.2250738585072014e-308lf) {
-                        if ((bitcast<u64>(_e667) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e805 = (9214364837600034816lu - (bitcast<u64>(_e667) & 9218868437227405312lu));
-                            let _e808 = bitcast<f64>(select(4503599627370496lu, _e805, (_e805 > 4503599627370496lu)));
-                            let _e809 = (_e543 * _e808);
-                            phi_1544_ = type_41(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e506.member[0][0] * _e808), (_e506.member[0][1] * _e808), (_e506.member[0][2] * _e808)), array<f64, 3>((_e506.member[1][0] * _e808), (_e506.member[1][1] * _e808), (_e506.member[1][2] * _e808))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_1[0][0] * _e808), (_e506.member_1[0][1] * _e808), (_e506.member_1[0][2] * _e808)), array<f64, 3>((_e506.member_1[1][0] * _e808), (_e506.member_1[1][1] * _e808), (_e506.member_1[1][2] * _e808))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_2[0][0] * _e808), (_e506.member_2[0][1] * _e808), (_e506.member_2[0][2] * _e808)), array<f64, 3>((_e506.member_2[1][0] * _e808), (_e506.member_2[1][1] * _e808), (_e506.member_2[1][2] * _e808))), ((_e506.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e808)), select(_e809, select(2.2250738585072014e-308lf, _e809, (_e809 > 2.2250738585072014e-308lf)), (_e543 > f64(0f))));
-                            phi_1545_ = false;
+                    if (_e668 >= 2.2250738585072014e-308lf) {
+                        if ((bitcast<u64>(_e668) & 9218868437227405312lu) != 9218868437227405312lu) {
+                            let _e806 = (9214364837600034816lu - (bitcast<u64>(_e668) & 9218868437227405312lu));
+                            let _e809 = bitcast<f64>(select(4503599627370496lu, _e806, (_e806 > 4503599627370496lu)));
+                            let _e810 = (_e544 * _e809);
+                            phi_1545_ = type_41(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e507.member[0][0] * _e809), (_e507.member[0][1] * _e809), (_e507.member[0][2] * _e809)), array<f64, 3>((_e507.member[1][0] * _e809), (_e507.member[1][1] * _e809), (_e507.member[1][2] * _e809))), array<array<f64, 3>, 2>(array<f64, 3>((_e507.member_1[0][0] * _e809), (_e507.member_1[0][1] * _e809), (_e507.member_1[0][2] * _e809)), array<f64, 3>((_e507.member_1[1][0] * _e809), (_e507.member_1[1][1] * _e809), (_e507.member_1[1][2] * _e809))), array<array<f64, 3>, 2>(array<f64, 3>((_e507.member_2[0][0] * _e809), (_e507.member_2[0][1] * _e809), (_e507.member_2[0][2] * _e809)), array<f64, 3>((_e507.member_2[1][0] * _e809), (_e507.member_2[1][1] * _e809), (_e507.member_2[1][2] * _e809))), ((_e507.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e809)), select(_e810, select(2.2250738585072014e-308lf, _e810, (_e810 > 2.2250738585072014e-308lf)), (_e544 > f64(0f))));
+                            phi_1546_ = false;
                         } else {
-                            phi_1544_ = type_41();
-                            phi_1545_ = true;
+                            phi_1545_ = type_41();
+                            phi_1546_ = true;
                         }
-                        let _e880 = phi_1544_;
-                        let _e882 = phi_1545_;
-                        phi_1546_ = _e880;
-                        phi_1547_ = _e882;
+                        let _e881 = phi_1545_;
+                        let _e883 = phi_1546_;
+                        phi_1547_ = _e881;
+                        phi_1548_ = _e883;
                     } else {
-                        phi_1546_ = type_41();
-                        phi_1547_ = true;
+                        phi_1547_ = type_41();
+                        phi_1548_ = true;
                     }
-                    let _e884 = phi_1546_;
-                    let _e886 = phi_1547_;
-                    phi_1548_ = _e884;
-                    phi_1549_ = _e886;
+                    let _e885 = phi_1547_;
+                    let _e887 = phi_1548_;
+                    phi_1549_ = _e885;
+                    phi_1550_ = _e887;
                 }
-                let _e888 = phi_1548_;
-                let _e890 = phi_1549_;
-                if _e890 {
-                    phi_1554_ = type_41(_e506, _e543);
+                let _e889 = phi_1549_;
+                let _e891 = phi_1550_;
+                if _e891 {
+                    phi_1555_ = type_41(_e507, _e544);
                 } else {
-                    phi_1554_ = _e888;
+                    phi_1555_ = _e889;
                 }
-                let _e893 = phi_1554_;
-                let _e905 = ((_e893.member.member_1[0][1] * _e893.member.member_2[0][2]) - (_e893.member.member_1[0][2] * _e893.member.member_2[0][1]));
-                let _e912 = ((_e893.member.member_1[0][2] * _e893.member.member_2[0][0]) - (_e893.member.member_1[0][0] * _e893.member.member_2[0][2]));
-                let _e919 = ((_e893.member.member_1[0][0] * _e893.member.member_2[0][1]) - (_e893.member.member_1[0][1] * _e893.member.member_2[0][0]));
-                let _e930 = ((_e893.member.member_1[1][1] * _e893.member.member_2[1][2]) - (_e893.member.member_1[1][2] * _e893.member.member_2[1][1]));
-                let _e937 = ((_e893.member.member_1[1][2] * _e893.member.member_2[1][0]) - (_e893.member.member_1[1][0] * _e893.member.member_2[1][2]));
-                let _e944 = ((_e893.member.member_1[1][0] * _e893.member.member_2[1][1]) - (_e893.member.member_1[1][1] * _e893.member.member_2[1][0]));
-                let _e995 = (((_e893.member.member_1[0][1] * _e893.member.member_2[1][2]) - (_e893.member.member_1[0][2] * _e893.member.member_2[1][1])) + ((_e893.member.member_1[1][1] * _e893.member.member_2[0][2]) - (_e893.member.member_1[1][2] * _e893.member.member_2[0][1])));
-                let _e996 = (((_e893.member.member_1[0][2] * _e893.member.member_2[1][0]) - (_e893.member.member_1[0][0] * _e893.member.member_2[1][2])) + ((_e893.member.member_1[1][2] * _e893.member.member_2[0][0]) - (_e893.member.member_1[1][0] * _e893.member.member_2[0][2])));
-                let _e997 = (((_e893.member.member_1[0][0] * _e893.member.member_2[1][1]) - (_e893.member.member_1[0][1] * _e893.member.member_2[1][0])) + ((_e893.member.member_1[1][0] * _e893.member.member_2[0][1]) - (_e893.member.member_1[1][1] * _e893.member.member_2[0][0])));
-                let _e1007 = (((_e893.member.member[0][0] * _e905) + (_e893.member.member[0][1] * _e912)) + (_e893.member.member[0][2] * _e919));
-                let _e1028 = ((((_e893.member.member[1][0] * _e905) + (_e893.member.member[1][1] * _e912)) + (_e893.member.member[1][2] * _e919)) + (((_e893.member.member[0][0] * _e995) + (_e893.member.member[0][1] * _e996)) + (_e893.member.member[0][2] * _e997)));
-                let _e1049 = ((((_e893.member.member[0][0] * _e930) + (_e893.member.member[0][1] * _e937)) + (_e893.member.member[0][2] * _e944)) + (((_e893.member.member[1][0] * _e995) + (_e893.member.member[1][1] * _e996)) + (_e893.member.member[1][2] * _e997)));
-                let _e1059 = (((_e893.member.member[1][0] * _e930) + (_e893.member.member[1][1] * _e937)) + (_e893.member.member[1][2] * _e944));
-                let _e1065 = select(_e893.member.member[0][0], -(_e893.member.member[0][0]), (_e893.member.member[0][0] < 0.0lf));
-                let _e1069 = select(_e893.member.member[0][1], -(_e893.member.member[0][1]), (_e893.member.member[0][1] < 0.0lf));
-                let _e1071 = select(_e1069, _e1065, (_e1065 > _e1069));
-                let _e1075 = select(_e893.member.member[0][2], -(_e893.member.member[0][2]), (_e893.member.member[0][2] < 0.0lf));
-                let _e1077 = select(_e1075, _e1071, (_e1071 > _e1075));
-                let _e1083 = select(_e893.member.member[1][0], -(_e893.member.member[1][0]), (_e893.member.member[1][0] < 0.0lf));
-                let _e1087 = select(_e893.member.member[1][1], -(_e893.member.member[1][1]), (_e893.member.member[1][1] < 0.0lf));
-                let _e1089 = select(_e1087, _e1083, (_e1083 > _e1087));
-                let _e1093 = select(_e893.member.member[1][2], -(_e893.member.member[1][2]), (_e893.member.member[1][2] < 0.0lf));
-                let _e1095 = select(_e1093, _e1089, (_e1089 > _e1093));
-                let _e1099 = (select(_e1095, _e1077, (_e1077 > _e1095)) + _e893.member.member_3);
-                let _e1105 = select(_e893.member.member_1[0][0], -(_e893.member.member_1[0][0]), (_e893.member.member_1[0][0] < 0.0lf));
-                let _e1109 = select(_e893.member.member_1[0][1], -(_e893.member.member_1[0][1]), (_e893.member.member_1[0][1] < 0.0lf));
-                let _e1111 = select(_e1109, _e1105, (_e1105 > _e1109));
-                let _e1115 = select(_e893.member.member_1[0][2], -(_e893.member.member_1[0][2]), (_e893.member.member_1[0][2] < 0.0lf));
-                let _e1117 = select(_e1115, _e1111, (_e1111 > _e1115));
-                let _e1123 = select(_e893.member.member_1[1][0], -(_e893.member.member_1[1][0]), (_e893.member.member_1[1][0] < 0.0lf));
-                let _e1127 = select(_e893.member.member_1[1][1], -(_e893.member.member_1[1][1]), (_e893.member.member_1[1][1] < 0.0lf));
-                let _e1129 = select(_e1127, _e1123, (_e1123 > _e1127));
-                let _e1133 = select(_e893.member.member_1[1][2], -(_e893.member.member_1[1][2]), (_e893.member.member_1[1][2] < 0.0lf));
-                let _e1135 = select(_e1133, _e1129, (_e1129 > _e1133));
-                let _e1139 = (select(_e1135, _e1117, (_e1117 > _e1135)) + _e893.member.member_3);
-                let _e1145 = select(_e893.member.member_2[0][0], -(_e893.member.member_2[0][0]), (_e893.member.member_2[0][0] < 0.0lf));
-                let _e1149 = select(_e893.member.member_2[0][1], -(_e893.member.member_2[0][1]), (_e893.member.member_2[0][1] < 0.0lf));
-                let _e1151 = select(_e1149, _e1145, (_e1145 > _e1149));
-                let _e1155 = select(_e893.member.member_2[0][2], -(_e893.member.member_2[0][2]), (_e893.member.member_2[0][2] < 0.0lf));
-                let _e1157 = select(_e1155, _e1151, (_e1151 > _e1155));
-                let _e1163 = select(_e893.member.member_2[1][0], -(_e893.member.member_2[1][0]), (_e893.member.member_2[1][0] < 0.0lf));
-                let _e1167 = select(_e893.member.member_2[1][1], -(_e893.member.member_2[1][1]), (_e893.member.member_2[1][1] < 0.0lf));
-                let _e1169 = select(_e1167, _e1163, (_e1163 > _e1167));
-                let _e1173 = select(_e893.member.member_2[1][2], -(_e893.member.member_2[1][2]), (_e893.member.member_2[1][2] < 0.0lf));
-                let _e1175 = select(_e1173, _e1169, (_e1169 > _e1173));
-                let _e1179 = (select(_e1175, _e1157, (_e1157 > _e1175)) + _e893.member.member_3);
-                let _e1180 = f64(1f);
-                let _e1181 = f64(8f);
-                let _e1207 = (((((_e1099 * _e1181) * ((_e1139 * _e1181) * _e1179)) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e893.member.member_3 * f64(19f)) * ((_e1099 * (_e1139 + _e1179)) + (_e1139 * _e1179)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1180 + _e1099) * ((_e1180 + _e1139) * (_e1180 + _e1179)))));
-                let _e1208 = f64(3f);
-                let _e1209 = (_e1007 * _e1208);
-                let _e1210 = (_e1059 * _e1208);
-                let _e1212 = select(_e1210, _e1209, (_e1209 < _e1210));
-                let _e1214 = select(_e1049, _e1028, (_e1028 < _e1049));
-                let _e1216 = select(_e1214, _e1212, (_e1212 < _e1214));
-                let _e1218 = select(_e1210, _e1209, (_e1209 > _e1210));
-                let _e1220 = select(_e1049, _e1028, (_e1028 > _e1049));
-                let _e1223 = -(select(_e1220, _e1218, (_e1218 > _e1220)));
-                if (select(_e1223, _e1216, (_e1216 > _e1223)) > _e1207) {
-                    phi_3840_ = type_42(0u, type_42().member_1);
-                    phi_3841_ = type_42();
-                    phi_3842_ = true;
+                let _e894 = phi_1555_;
+                let _e906 = ((_e894.member.member_1[0][1] * _e894.member.member_2[0][2]) - (_e894.member.member_1[0][2] * _e894.member.member_2[0][1]));
+                let _e913 = ((_e894.member.member_1[0][2] * _e894.member.member_2[0][0]) - (_e894.member.member_1[0][0] * _e894.member.member_2[0][2]));
+                let _e920 = ((_e894.member.member_1[0][0] * _e894.member.member_2[0][1]) - (_e894.member.member_1[0][1] * _e894.member.member_2[0][0]));
+                let _e931 = ((_e894.member.member_1[1][1] * _e894.member.member_2[1][2]) - (_e894.member.member_1[1][2] * _e894.member.member_2[1][1]));
+                let _e938 = ((_e894.member.member_1[1][2] * _e894.member.member_2[1][0]) - (_e894.member.member_1[1][0] * _e894.member.member_2[1][2]));
+                let _e945 = ((_e894.member.member_1[1][0] * _e894.member.member_2[1][1]) - (_e894.member.member_1[1][1] * _e894.member.member_2[1][0]));
+                let _e996 = (((_e894.member.member_1[0][1] * _e894.member.member_2[1][2]) - (_e894.member.member_1[0][2] * _e894.member.member_2[1][1])) + ((_e894.member.member_1[1][1] * _e894.member.member_2[0][2]) - (_e894.member.member_1[1][2] * _e894.member.member_2[0][1])));
+                let _e997 = (((_e894.member.member_1[0][2] * _e894.member.member_2[1][0]) - (_e894.member.member_1[0][0] * _e894.member.member_2[1][2])) + ((_e894.member.member_1[1][2] * _e894.member.member_2[0][0]) - (_e894.member.member_1[1][0] * _e894.member.member_2[0][2])));
+                let _e998 = (((_e894.member.member_1[0][0] * _e894.member.member_2[1][1]) - (_e894.member.member_1[0][1] * _e894.member.member_2[1][0])) + ((_e894.member.member_1[1][0] * _e894.member.member_2[0][1]) - (_e894.member.member_1[1][1] * _e894.member.member_2[0][0])));
+                let _e1008 = (((_e894.member.member[0][0] * _e906) + (_e894.member.member[0][1] * _e913)) + (_e894.member.member[0][2] * _e920));
+                let _e1029 = ((((_e894.member.member[1][0] * _e906) + (_e894.member.member[1][1] * _e913)) + (_e894.member.member[1][2] * _e920)) + (((_e894.member.member[0][0] * _e996) + (_e894.member.member[0][1] * _e997)) + (_e894.member.member[0][2] * _e998)));
+                let _e1050 = ((((_e894.member.member[0][0] * _e931) + (_e894.member.member[0][1] * _e938)) + (_e894.member.member[0][2] * _e945)) + (((_e894.member.member[1][0] * _e996) + (_e894.member.member[1][1] * _e997)) + (_e894.member.member[1][2] * _e998)));
+                let _e1060 = (((_e894.member.member[1][0] * _e931) + (_e894.member.member[1][1] * _e938)) + (_e894.member.member[1][2] * _e945));
+                let _e1066 = select(_e894.member.member[0][0], -(_e894.member.member[0][0]), (_e894.member.member[0][0] < 0.0lf));
+                let _e1070 = select(_e894.member.member[0][1], -(_e894.member.member[0][1]), (_e894.member.member[0][1] < 0.0lf));
+                let _e1072 = select(_e1070, _e1066, (_e1066 > _e1070));
+                let _e1076 = select(_e894.member.member[0][2], -(_e894.member.member[0][2]), (_e894.member.member[0][2] < 0.0lf));
+                let _e1078 = select(_e1076, _e1072, (_e1072 > _e1076));
+                let _e1084 = select(_e894.member.member[1][0], -(_e894.member.member[1][0]), (_e894.member.member[1][0] < 0.0lf));
+                let _e1088 = select(_e894.member.member[1][1], -(_e894.member.member[1][1]), (_e894.member.member[1][1] < 0.0lf));
+                let _e1090 = select(_e1088, _e1084, (_e1084 > _e1088));
+                let _e1094 = select(_e894.member.member[1][2], -(_e894.member.member[1][2]), (_e894.member.member[1][2] < 0.0lf));
+                let _e1096 = select(_e1094, _e1090, (_e1090 > _e1094));
+                let _e1100 = (select(_e1096, _e1078, (_e1078 > _e1096)) + _e894.member.member_3);
+                let _e1106 = select(_e894.member.member_1[0][0], -(_e894.member.member_1[0][0]), (_e894.member.member_1[0][0] < 0.0lf));
+                let _e1110 = select(_e894.member.member_1[0][1], -(_e894.member.member_1[0][1]), (_e894.member.member_1[0][1] < 0.0lf));
+                let _e1112 = select(_e1110, _e1106, (_e1106 > _e1110));
+                let _e1116 = select(_e894.member.member_1[0][2], -(_e894.member.member_1[0][2]), (_e894.member.member_1[0][2] < 0.0lf));
+                let _e1118 = select(_e1116, _e1112, (_e1112 > _e1116));
+                let _e1124 = select(_e894.member.member_1[1][0], -(_e894.member.member_1[1][0]), (_e894.member.member_1[1][0] < 0.0lf));
+                let _e1128 = select(_e894.member.member_1[1][1], -(_e894.member.member_1[1][1]), (_e894.member.member_1[1][1] < 0.0lf));
+                let _e1130 = select(_e1128, _e1124, (_e1124 > _e1128));
+                let _e1134 = select(_e894.member.member_1[1][2], -(_e894.member.member_1[1][2]), (_e894.member.member_1[1][2] < 0.0lf));
+                let _e1136 = select(_e1134, _e1130, (_e1130 > _e1134));
+                let _e1140 = (select(_e1136, _e1118, (_e1118 > _e1136)) + _e894.member.member_3);
+                let _e1146 = select(_e894.member.member_2[0][0], -(_e894.member.member_2[0][0]), (_e894.member.member_2[0][0] < 0.0lf));
+                let _e1150 = select(_e894.member.member_2[0][1], -(_e894.member.member_2[0][1]), (_e894.member.member_2[0][1] < 0.0lf));
+                let _e1152 = select(_e1150, _e1146, (_e1146 > _e1150));
+                let _e1156 = select(_e894.member.member_2[0][2], -(_e894.member.member_2[0][2]), (_e894.member.member_2[0][2] < 0.0lf));
+                let _e1158 = select(_e1156, _e1152, (_e1152 > _e1156));
+                let _e1164 = select(_e894.member.member_2[1][0], -(_e894.member.member_2[1][0]), (_e894.member.member_2[1][0] < 0.0lf));
+                let _e1168 = select(_e894.member.member_2[1][1], -(_e894.member.member_2[1][1]), (_e894.member.member_2[1][1] < 0.0lf));
+                let _e1170 = select(_e1168, _e1164, (_e1164 > _e1168));
+                let _e1174 = select(_e894.member.member_2[1][2], -(_e894.member.member_2[1][2]), (_e894.member.member_2[1][2] < 0.0lf));
+                let _e1176 = select(_e1174, _e1170, (_e1170 > _e1174));
+                let _e1180 = (select(_e1176, _e1158, (_e1158 > _e1176)) + _e894.member.member_3);
+                let _e1181 = f64(1f);
+                let _e1182 = f64(8f);
+                let _e1208 = (((((_e1100 * _e1182) * ((_e1140 * _e1182) * _e1180)) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e894.member.member_3 * f64(19f)) * ((_e1100 * (_e1140 + _e1180)) + (_e1140 * _e1180)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1181 + _e1100) * ((_e1181 + _e1140) * (_e1181 + _e1180)))));
+                let _e1209 = f64(3f);
+                let _e1210 = (_e1008 * _e1209);
+                let _e1211 = (_e1060 * _e1209);
+                let _e1213 = select(_e1211, _e1210, (_e1210 < _e1211));
+                let _e1215 = select(_e1050, _e1029, (_e1029 < _e1050));
+                let _e1217 = select(_e1215, _e1213, (_e1213 < _e1215));
+                let _e1219 = select(_e1211, _e1210, (_e1210 > _e1211));
+                let _e1221 = select(_e1050, _e1029, (_e1029 > _e1050));
+                let _e1224 = -(select(_e1221, _e1219, (_e1219 > _e1221)));
+                if (select(_e1224, _e1217, (_e1217 > _e1224)) > _e1208) {
+                    phi_3841_ = type_42(0u, type_42().member_1);
+                    phi_3842_ = type_42();
+                    phi_3843_ = true;
                 } else {
-                    let _e1231 = select(_e1007, -(_e1007), (_e1007 < 0.0lf));
-                    let _e1234 = select(_e1028, -(_e1028), (_e1028 < 0.0lf));
-                    let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
-                    let _e1239 = select(_e1049, -(_e1049), (_e1049 < 0.0lf));
-                    let _e1242 = select(_e1059, -(_e1059), (_e1059 < 0.0lf));
-                    let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
-                    let _e1246 = select(_e1244, _e1236, (_e1236 > _e1244));
-                    let _e1248 = (2.2250738585072014e-308lf * f64(67108864f));
-                    let _e1249 = f64(1f);
-                    if (_e1246 >= _e1248) {
-                        phi_2099_ = (_e1246 <= (_e1249 / _e1248));
+                    let _e1232 = select(_e1008, -(_e1008), (_e1008 < 0.0lf));
+                    let _e1235 = select(_e1029, -(_e1029), (_e1029 < 0.0lf));
+                    let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
+                    let _e1240 = select(_e1050, -(_e1050), (_e1050 < 0.0lf));
+                    let _e1243 = select(_e1060, -(_e1060), (_e1060 < 0.0lf));
+                    let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
+                    let _e1247 = select(_e1245, _e1237, (_e1237 > _e1245));
+                    let _e1249 = (2.2250738585072014e-308lf * f64(67108864f));
+                    let _e1250 = f64(1f);
+                    if (_e1247 >= _e1249) {
+                        phi_2100_ = (_e1247 <= (_e1250 / _e1249));
                     } else {
-                        phi_2099_ = false;
+                        phi_2100_ = false;
                     }
-                    let _e1254 = phi_2099_;
-                    if _e1254 {
-                        phi_2114_ = (_e1249 / _e1246);
+                    let _e1255 = phi_2100_;
+                    if _e1255 {
+                        phi_2115_ = (_e1250 / _e1247);
                     } else {
-                        phi_2114_ = f64(0f);
+                        phi_2115_ = f64(0f);
                     }
-                    let _e1264 = phi_2114_;
-                    let _e1265 = f64(0.00000000000022737368f);
-                    let _e1267 = (_e515 * f64(0.0625f));
-                    local_4 = type_39(array<f64, 4>(_e1007, _e1028, _e1049, _e1059), ((_e1207 * f64(0.34f)) + (_e1246 * select(f64(2f), (1.1102230246251565e-16lf * f64(256f)), _e1254))), _e1264, select(_e1267, _e1265, (_e1265 < _e1267)));
-                    let _e1272 = f64(0f);
-                    let _e1273 = f64(1f);
-                    let _e1274 = f64(3f);
-                    let _e1277 = local_4.member[0u];
-                    let _e1280 = local_4.member[1u];
-                    let _e1283 = local_4.member[2u];
-                    let _e1286 = local_4.member[3u];
-                    let _e1293 = local_4.member_2;
-                    let _e1294 = ((_e1280 - (_e1274 * _e1277)) * _e1293);
-                    let _e1296 = local_4.member_2;
-                    let _e1297 = ((_e1283 - _e1280) * _e1296);
-                    let _e1299 = local_4.member_2;
-                    let _e1300 = (((_e1274 * _e1286) - _e1283) * _e1299);
-                    local_2[0u] = _e1272;
-                    local_2[1u] = _e1273;
-                    local_2[2u] = _e1273;
-                    local_2[3u] = _e1273;
-                    let _e1307 = ((_e1297 * _e1297) - (_e1294 * _e1300));
-                    if (_e1307 > _e1272) {
-                        if (_e1307 <= 2.2250738585072014e-308lf) {
-                            phi_2247_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1307 > 0.0lf));
+                    let _e1265 = phi_2115_;
+                    let _e1266 = f64(0.00000000000022737368f);
+                    let _e1268 = (_e516 * f64(0.0625f));
+                    local_4 = type_39(array<f64, 4>(_e1008, _e1029, _e1050, _e1060), ((_e1208 * f64(0.34f)) + (_e1247 * select(f64(2f), (1.1102230246251565e-16lf * f64(256f)), _e1255))), _e1265, select(_e1268, _e1266, (_e1266 < _e1268)));
+                    let _e1273 = f64(0f);
+                    let _e1274 = f64(1f);
+                    let _e1275 = f64(3f);
+                    let _e1278 = local_4.member[0u];
+                    let _e1281 = local_4.member[1u];
+                    let _e1284 = local_4.member[2u];
+                    let _e1287 = local_4.member[3u];
+                    let _e1294 = local_4.member_2;
+                    let _e1295 = ((_e1281 - (_e1275 * _e1278)) * _e1294);
+                    let _e1297 = local_4.member_2;
+                    let _e1298 = ((_e1284 - _e1281) * _e1297);
+                    let _e1300 = local_4.member_2;
+                    let _e1301 = (((_e1275 * _e1287) - _e1284) * _e1300);
+                    local_2[0u] = _e1273;
+                    local_2[1u] = _e1274;
+                    local_2[2u] = _e1274;
+                    local_2[3u] = _e1274;
+                    let _e1308 = ((_e1298 * _e1298) - (_e1295 * _e1301));
+                    if (_e1308 > _e1273) {
+                        if (_e1308 <= 2.2250738585072014e-308lf) {
+                            phi_2248_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1308 > 0.0lf));
                         } else {
-                            phi_2190_ = type_16(0i, 5i);
-                            phi_2193_ = bitcast<f64>(((bitcast<u64>(_e1307) / 2lu) + 2303426169912950784lu));
+                            phi_2191_ = type_16(0i, 5i);
+                            phi_2194_ = bitcast<f64>(((bitcast<u64>(_e1308) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e1315 = phi_2190_;
-                                let _e1317 = phi_2193_;
-                                local_7 = _e1317;
-                                if (_e1315.member < _e1315.member_1) {
-                                    let _e1324 = (_e1315.member + 1i);
-                                    phi_2191_ = type_16(select(_e1324, type_17().member_1, select(false, true, ((false == (_e1324 > _e1315.member)) != false))), _e1315.member_1);
-                                    phi_2234_ = type_17(1u, _e1315.member);
+                                let _e1316 = phi_2191_;
+                                let _e1318 = phi_2194_;
+                                local_7 = _e1318;
+                                if (_e1316.member < _e1316.member_1) {
+                                    let _e1325 = (_e1316.member + 1i);
+                                    phi_2192_ = type_16(select(_e1325, type_17().member_1, select(false, true, ((false == (_e1325 > _e1316.member)) != false))), _e1316.member_1);
+                                    phi_2235_ = type_17(1u, _e1316.member);
                                 } else {
-                                    phi_2191_ = _e1315;
-                                    phi_2234_ = type_17(0u, type_17().member_1);
+                                    phi_2192_ = _e1316;
+                                    phi_2235_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e1335 = phi_2191_;
-                                let _e1337 = phi_2234_;
-                                let _e1340 = (bitcast<i32>(_e1337.member) != 0i);
-                                if _e1340 {
-                                    phi_2194_ = (0.5lf * (_e1317 + (_e1307 / _e1317)));
+                                let _e1336 = phi_2192_;
+                                let _e1338 = phi_2235_;
+                                let _e1341 = (bitcast<i32>(_e1338.member) != 0i);
+                                if _e1341 {
+                                    phi_2195_ = (0.5lf * (_e1318 + (_e1308 / _e1318)));
                                 } else {
-                                    phi_2194_ = f64();
+                                    phi_2195_ = f64();
                                 }
-                                let _e1345 = phi_2194_;
+                                let _e1346 = phi_2195_;
                                 continue;
                                 continuing {
-                                    phi_2190_ = _e1335;
-                                    phi_2193_ = _e1345;
-                                    break if !(_e1340);
+                                    phi_2191_ = _e1336;
+                                    phi_2194_ = _e1346;
+                                    break if !(_e1341);
                                 }
                             }
-                            let _e1350 = local_7;
-                            phi_2247_ = (_e1350 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e1351 = local_7;
+                            phi_2248_ = (_e1351 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e1356 = phi_2247_;
-                        let _e1361 = -((_e1297 + select(_e1356, -(_e1356), (_e1297 < _e1272))));
-                        local_3[0u] = (_e1361 / (_e1361 + _e1300));
-                        local_3[1u] = (_e1294 / (_e1294 + _e1361));
-                        let _e1370 = local_3[1u];
-                        let _e1371 = local_3[0u];
-                        if (_e1370 < _e1371) {
-                            let _e1374 = local_3[1u];
-                            let _e1376 = local_3[0u];
-                            local_3[0u] = _e1374;
-                            local_3[1u] = _e1376;
+                        let _e1357 = phi_2248_;
+                        let _e1362 = -((_e1298 + select(_e1357, -(_e1357), (_e1298 < _e1273))));
+                        local_3[0u] = (_e1362 / (_e1362 + _e1301));
+                        local_3[1u] = (_e1295 / (_e1295 + _e1362));
+                        let _e1371 = local_3[1u];
+                        let _e1372 = local_3[0u];
+                        if (_e1371 < _e1372) {
+                            let _e1375 = local_3[1u];
+                            let _e1377 = local_3[0u];
+                            local_3[0u] = _e1375;
+                            local_3[1u] = _e1377;
                         }
-                        phi_2278_ = type_9(0u, 2u);
-                        phi_2281_ = 1u;
+                        phi_2279_ = type_9(0u, 2u);
+                        phi_2282_ = 1u;
                         loop {
-                            let _e1380 = phi_2278_;
-                            let _e1382 = phi_2281_;
-                            local_35 = _e1382;
-                            let _e1385 = (_e1380.member < _e1380.member_1);
-                            let _e1396 = select(type_9().member_1, _e1380.member, _e1385);
-                            let _e1398 = (bitcast<i32>(select(0u, 1u, _e1385)) != 0i);
-                            if _e1398 {
-                                let _e1400 = local_3[_e1396];
-                                if (_e1400 > _e1272) {
-                                    let _e1403 = local_3[_e1396];
-                                    if (_e1403 < _e1273) {
-                                        let _e1406 = local_3[_e1396];
-                                        local_2[_e1382] = _e1406;
-                                        phi_2348_ = (_e1382 + 1u);
+                            let _e1381 = phi_2279_;
+                            let _e1383 = phi_2282_;
+                            local_35 = _e1383;
+                            let _e1386 = (_e1381.member < _e1381.member_1);
+                            let _e1397 = select(type_9().member_1, _e1381.member, _e1386);
+                            let _e1399 = (bitcast<i32>(select(0u, 1u, _e1386)) != 0i);
+                            if _e1399 {
+                                let _e1401 = local_3[_e1397];
+                                if (_e1401 > _e1273) {
+                                    let _e1404 = local_3[_e1397];
+                                    if (_e1404 < _e1274) {
+                                        let _e1407 = local_3[_e1397];
+                                        local_2[_e1383] = _e1407;
+                                        phi_2349_ = (_e1383 + 1u);
                                     } else {
-                                        phi_2348_ = _e1382;
+                                        phi_2349_ = _e1383;
                                     }
-                                    let _e1410 = phi_2348_;
-                                    phi_2349_ = _e1410;
+                                    let _e1411 = phi_2349_;
+                                    phi_2350_ = _e1411;
                                 } else {
-                                    phi_2349_ = _e1382;
+                                    phi_2350_ = _e1383;
                                 }
-                                let _e1412 = phi_2349_;
-                                phi_2282_ = _e1412;
+                                let _e1413 = phi_2350_;
+                                phi_2283_ = _e1413;
                             } else {
-                                phi_2282_ = u32();
+                                phi_2283_ = u32();
                             }
-                            let _e1414 = phi_2282_;
+                            let _e1415 = phi_2283_;
                             continue;
                             continuing {
-                                phi_2278_ = type_9(select(_e1380.member, (_e1380.member + 1u), _e1385), select(_e1380.member_1, _e1380.member_1, _e1385));
-                                phi_2281_ = _e1414;
-                                break if !(_e1398);
+                                phi_2279_ = type_9(select(_e1381.member, (_e1381.member + 1u), _e1386), select(_e1381.member_1, _e1381.member_1, _e1386));
+                                phi_2282_ = _e1415;
+                                break if !(_e1399);
                             }
                         }
-                        let _e2770 = local_35;
-                        phi_2350_ = _e2770;
+                        let _e2772 = local_35;
+                        phi_2351_ = _e2772;
                     } else {
-                        phi_2350_ = 1u;
+                        phi_2351_ = 1u;
                     }
-                    let _e1417 = phi_2350_;
-                    local_2[_e1417] = _e1273;
-                    let _e1419 = local_2;
-                    local_5 = _e1419;
-                    let _e1423 = (f64(1f) - _e524);
-                    let _e1426 = local_4.member[0u];
-                    let _e1429 = local_4.member[1u];
-                    let _e1432 = local_4.member[2u];
-                    let _e1435 = local_4.member[3u];
-                    let _e1446 = ((((_e1426 * _e1423) + (_e1429 * _e524)) * (_e1423 * _e1423)) + (((_e1432 * _e1423) + (_e1435 * _e524)) * (_e524 * _e524)));
-                    let _e1451 = local_4.member_1;
-                    phi_2408_ = type_9(select(1u, 0u, !((select(_e1446, -(_e1446), (_e1446 < 0.0lf)) > _e1451))), (_e1417 + 1u));
+                    let _e1418 = phi_2351_;
+                    local_2[_e1418] = _e1274;
+                    let _e1420 = local_2;
+                    local_5 = _e1420;
+                    let _e1424 = (f64(1f) - _e525);
+                    let _e1427 = local_4.member[0u];
+                    let _e1430 = local_4.member[1u];
+                    let _e1433 = local_4.member[2u];
+                    let _e1436 = local_4.member[3u];
+                    let _e1447 = ((((_e1427 * _e1424) + (_e1430 * _e525)) * (_e1424 * _e1424)) + (((_e1433 * _e1424) + (_e1436 * _e525)) * (_e525 * _e525)));
+                    let _e1452 = local_4.member_1;
+                    phi_2409_ = type_9(select(1u, 0u, !((select(_e1447, -(_e1447), (_e1447 < 0.0lf)) > _e1452))), (_e1418 + 1u));
                     loop {
-                        let _e1458 = phi_2408_;
-                        let _e1461 = (_e1458.member < _e1458.member_1);
-                        let _e1472 = select(type_9().member_1, _e1458.member, _e1461);
-                        if (bitcast<i32>(select(0u, 1u, _e1461)) != 0i) {
-                            if (_e1472 > 0u) {
-                                let _e1479 = local_5[(_e1472 - 1u)];
-                                let _e1481 = select(_e524, _e1479, (_e1479 > _e524));
-                                let _e1483 = local_5[_e1472];
-                                let _e1485 = select(_e533, _e1483, (_e1483 < _e533));
-                                if (_e1481 <= _e1485) {
-                                    let _e1487 = function_2((&local_4), _e542, _e1481, _e1485);
-                                    if _e1487 {
-                                        phi_3728_ = type_43();
-                                        phi_3729_ = u32();
-                                        phi_3730_ = false;
+                        let _e1459 = phi_2409_;
+                        let _e1462 = (_e1459.member < _e1459.member_1);
+                        let _e1473 = select(type_9().member_1, _e1459.member, _e1462);
+                        if (bitcast<i32>(select(0u, 1u, _e1462)) != 0i) {
+                            if (_e1473 > 0u) {
+                                let _e1480 = local_5[(_e1473 - 1u)];
+                                let _e1482 = select(_e525, _e1480, (_e1480 > _e525));
+                                let _e1484 = local_5[_e1473];
+                                let _e1486 = select(_e534, _e1484, (_e1484 < _e534));
+                                if (_e1482 <= _e1486) {
+                                    let _e1488 = function_2((&local_4), _e543, _e1482, _e1486);
+                                    if _e1488 {
+                                        phi_3729_ = type_43();
+                                        phi_3730_ = u32();
                                         phi_3731_ = false;
                                         phi_3732_ = false;
+                                        phi_3733_ = false;
                                     } else {
-                                        let _e1489 = (f64(1f) - _e1481);
-                                        let _e1492 = local_4.member[0u];
-                                        let _e1495 = local_4.member[1u];
-                                        let _e1498 = local_4.member[2u];
-                                        let _e1501 = local_4.member[3u];
-                                        let _e1512 = ((((_e1492 * _e1489) + (_e1495 * _e1481)) * (_e1489 * _e1489)) + (((_e1498 * _e1489) + (_e1501 * _e1481)) * (_e1481 * _e1481)));
-                                        let _e1514 = (f64(1f) - _e1485);
-                                        let _e1517 = local_4.member[0u];
-                                        let _e1520 = local_4.member[1u];
-                                        let _e1523 = local_4.member[2u];
-                                        let _e1526 = local_4.member[3u];
-                                        let _e1537 = ((((_e1517 * _e1514) + (_e1520 * _e1485)) * (_e1514 * _e1514)) + (((_e1523 * _e1514) + (_e1526 * _e1485)) * (_e1485 * _e1485)));
-                                        let _e1542 = local_4.member_1;
-                                        let _e1543 = (select(_e1512, -(_e1512), (_e1512 < 0.0lf)) > _e1542);
-                                        let _e1548 = local_4.member_1;
-                                        let _e1549 = (select(_e1537, -(_e1537), (_e1537 < 0.0lf)) > _e1548);
-                                        let _e1550 = f64(0f);
-                                        let _e1558 = select(select(bool(), select(bool(), ((_e1512 > _e1550) != (_e1537 > _e1550)), _e1549), _e1543), false, select(true, select(true, false, _e1549), _e1543));
-                                        if _e1543 {
-                                            if _e1549 {
-                                                phi_2568_ = type_43(select(f64(1f), type_43().member, _e1558), select(_e1550, type_43().member_1, _e1558), select(_e1558, type_43().member_2, _e1558));
-                                                phi_2569_ = _e1558;
+                                        let _e1490 = (f64(1f) - _e1482);
+                                        let _e1493 = local_4.member[0u];
+                                        let _e1496 = local_4.member[1u];
+                                        let _e1499 = local_4.member[2u];
+                                        let _e1502 = local_4.member[3u];
+                                        let _e1513 = ((((_e1493 * _e1490) + (_e1496 * _e1482)) * (_e1490 * _e1490)) + (((_e1499 * _e1490) + (_e1502 * _e1482)) * (_e1482 * _e1482)));
+                                        let _e1515 = (f64(1f) - _e1486);
+                                        let _e1518 = local_4.member[0u];
+                                        let _e1521 = local_4.member[1u];
+                                        let _e1524 = local_4.member[2u];
+                                        let _e1527 = local_4.member[3u];
+                                        let _e1538 = ((((_e1518 * _e1515) + (_e1521 * _e1486)) * (_e1515 * _e1515)) + (((_e1524 * _e1515) + (_e1527 * _e1486)) * (_e1486 * _e1486)));
+                                        let _e1543 = local_4.member_1;
+                                        let _e1544 = (select(_e1513, -(_e1513), (_e1513 < 0.0lf)) > _e1543);
+                                        let _e1549 = local_4.member_1;
+                                        let _e1550 = (select(_e1538, -(_e1538), (_e1538 < 0.0lf)) > _e1549);
+                                        let _e1551 = f64(0f);
+                                        let _e1559 = select(select(bool(), select(bool(), ((_e1513 > _e1551) != (_e1538 > _e1551)), _e1550), _e1544), false, select(true, select(true, false, _e1550), _e1544));
+                                        if _e1544 {
+                                            if _e1550 {
+                                                phi_2569_ = type_43(select(f64(1f), type_43().member, _e1559), select(_e1551, type_43().member_1, _e1559), select(_e1559, type_43().member_2, _e1559));
+                                                phi_2570_ = _e1559;
                                             } else {
-                                                phi_2568_ = type_43();
-                                                phi_2569_ = true;
+                                                phi_2569_ = type_43();
+                                                phi_2570_ = true;
                                             }
-                                            let _e1568 = phi_2568_;
-                                            let _e1570 = phi_2569_;
-                                            phi_2570_ = _e1568;
-                                            phi_2571_ = _e1570;
+                                            let _e1569 = phi_2569_;
+                                            let _e1571 = phi_2570_;
+                                            phi_2571_ = _e1569;
+                                            phi_2572_ = _e1571;
                                         } else {
-                                            phi_2570_ = type_43();
-                                            phi_2571_ = true;
+                                            phi_2571_ = type_43();
+                                            phi_2572_ = true;
                                         }
-                                        let _e1572 = phi_2570_;
-                                        let _e1574 = phi_2571_;
-                                        if _e1574 {
-                                            if _e1543 {
-                                                let _e1578 = select(f64(1f), f64(-1f), (_e1512 < _e1550));
-                                                let _e1580 = local_4.member_3;
-                                                let _e1581 = f64(0.5f);
-                                                let _e1582 = f64(3f);
-                                                let _e1585 = local_4.member[0u];
-                                                let _e1588 = local_4.member[1u];
-                                                let _e1591 = local_4.member[2u];
-                                                let _e1594 = local_4.member[3u];
-                                                let _e1597 = (_e1591 - _e1588);
-                                                phi_2606_ = type_9(0u, 64u);
-                                                phi_2609_ = _e1485;
-                                                phi_2611_ = _e1481;
-                                                phi_2613_ = (_e1581 * (_e1481 + _e1485));
+                                        let _e1573 = phi_2571_;
+                                        let _e1575 = phi_2572_;
+                                        if _e1575 {
+                                            if _e1544 {
+                                                let _e1579 = select(f64(1f), f64(-1f), (_e1513 < _e1551));
+                                                let _e1581 = local_4.member_3;
+                                                let _e1582 = f64(0.5f);
+                                                let _e1583 = f64(3f);
+                                                let _e1586 = local_4.member[0u];
+                                                let _e1589 = local_4.member[1u];
+                                                let _e1592 = local_4.member[2u];
+                                                let _e1595 = local_4.member[3u];
+                                                let _e1598 = (_e1592 - _e1589);
+                                                phi_2607_ = type_9(0u, 64u);
+                                                phi_2610_ = _e1486;
+                                                phi_2612_ = _e1482;
+                                                phi_2614_ = (_e1582 * (_e1482 + _e1486));
                                                 loop {
-                                                    let _e1603 = phi_2606_;
-                                                    let _e1605 = phi_2609_;
-                                                    let _e1607 = phi_2611_;
-                                                    let _e1609 = phi_2613_;
-                                                    local_10 = _e1607;
-                                                    let _e1612 = (_e1603.member < _e1603.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1612)) != 0i) {
-                                                        let _e1625 = (f64(1f) - _e1609);
-                                                        let _e1628 = local_4.member[0u];
-                                                        let _e1631 = local_4.member[1u];
-                                                        let _e1634 = local_4.member[2u];
-                                                        let _e1637 = local_4.member[3u];
-                                                        let _e1651 = local_4.member_1;
-                                                        let _e1652 = ((_e1578 * ((((_e1628 * _e1625) + (_e1631 * _e1609)) * (_e1625 * _e1625)) + (((_e1634 * _e1625) + (_e1637 * _e1609)) * (_e1609 * _e1609)))) - _e1651);
-                                                        let _e1654 = (_e1652 > f64(0f));
-                                                        let _e1655 = select(_e1609, _e1605, _e1654);
-                                                        let _e1656 = select(_e1607, _e1609, _e1654);
-                                                        let _e1658 = ((_e1655 - _e1656) > _e1580);
-                                                        if _e1658 {
-                                                            let _e1660 = (f64(1f) - _e1609);
-                                                            let _e1672 = (-(_e1652) / (_e1578 * (((((_e1588 - (_e1582 * _e1585)) * _e1660) + (_e1597 * _e1609)) * _e1660) + (((_e1597 * _e1660) + (((_e1582 * _e1594) - _e1591) * _e1609)) * _e1609))));
-                                                            let _e1680 = ((_e1609 + _e1672) + select(-((_e1581 * _e1580)), (_e1581 * _e1580), (_e1652 > f64(0f))));
-                                                            if (_e1680 > _e1656) {
-                                                                phi_2727_ = select(true, select(true, false, (select(_e1672, -(_e1672), (_e1672 < 0.0lf)) < (_e1581 * (_e1655 - _e1656)))), (_e1680 < _e1655));
+                                                    let _e1604 = phi_2607_;
+                                                    let _e1606 = phi_2610_;
+                                                    let _e1608 = phi_2612_;
+                                                    let _e1610 = phi_2614_;
+                                                    local_10 = _e1608;
+                                                    let _e1613 = (_e1604.member < _e1604.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1613)) != 0i) {
+                                                        let _e1626 = (f64(1f) - _e1610);
+                                                        let _e1629 = local_4.member[0u];
+                                                        let _e1632 = local_4.member[1u];
+                                                        let _e1635 = local_4.member[2u];
+                                                        let _e1638 = local_4.member[3u];
+                                                        let _e1652 = local_4.member_1;
+                                                        let _e1653 = ((_e1579 * ((((_e1629 * _e1626) + (_e1632 * _e1610)) * (_e1626 * _e1626)) + (((_e1635 * _e1626) + (_e1638 * _e1610)) * (_e1610 * _e1610)))) - _e1652);
+                                                        let _e1655 = (_e1653 > f64(0f));
+                                                        let _e1656 = select(_e1610, _e1606, _e1655);
+                                                        let _e1657 = select(_e1608, _e1610, _e1655);
+                                                        let _e1659 = ((_e1656 - _e1657) > _e1581);
+                                                        if _e1659 {
+                                                            let _e1661 = (f64(1f) - _e1610);
+                                                            let _e1673 = (-(_e1653) / (_e1579 * (((((_e1589 - (_e1583 * _e1586)) * _e1661) + (_e1598 * _e1610)) * _e1661) + (((_e1598 * _e1661) + (((_e1583 * _e1595) - _e1592) * _e1610)) * _e1610))));
+                                                            let _e1681 = ((_e1610 + _e1673) + select(-((_e1582 * _e1581)), (_e1582 * _e1581), (_e1653 > f64(0f))));
+                                                            if (_e1681 > _e1657) {
+                                                                phi_2728_ = select(true, select(true, false, (select(_e1673, -(_e1673), (_e1673 < 0.0lf)) < (_e1582 * (_e1656 - _e1657)))), (_e1681 < _e1656));
                                                             } else {
-                                                                phi_2727_ = true;
+                                                                phi_2728_ = true;
                                                             }
-                                                            let _e1692 = phi_2727_;
-                                                            phi_2734_ = select(_e1680, (_e1581 * (_e1656 + _e1655)), _e1692);
-                                                            phi_2735_ = false;
+                                                            let _e1693 = phi_2728_;
+                                                            phi_2735_ = select(_e1681, (_e1582 * (_e1657 + _e1656)), _e1693);
+                                                            phi_2736_ = false;
                                                         } else {
-                                                            phi_2734_ = f64();
-                                                            phi_2735_ = true;
+                                                            phi_2735_ = f64();
+                                                            phi_2736_ = true;
                                                         }
-                                                        let _e1697 = phi_2734_;
-                                                        let _e1699 = phi_2735_;
-                                                        phi_2610_ = _e1655;
-                                                        phi_2612_ = _e1656;
-                                                        phi_2614_ = _e1697;
-                                                        phi_2736_ = _e1656;
-                                                        phi_2737_ = _e1658;
-                                                        phi_2738_ = _e1699;
+                                                        let _e1698 = phi_2735_;
+                                                        let _e1700 = phi_2736_;
+                                                        phi_2611_ = _e1656;
+                                                        phi_2613_ = _e1657;
+                                                        phi_2615_ = _e1698;
+                                                        phi_2737_ = _e1657;
+                                                        phi_2738_ = _e1659;
+                                                        phi_2739_ = _e1700;
                                                     } else {
-                                                        phi_2610_ = f64();
-                                                        phi_2612_ = f64();
-                                                        phi_2614_ = f64();
-                                                        phi_2736_ = f64();
-                                                        phi_2737_ = false;
+                                                        phi_2611_ = f64();
+                                                        phi_2613_ = f64();
+                                                        phi_2615_ = f64();
+                                                        phi_2737_ = f64();
                                                         phi_2738_ = false;
+                                                        phi_2739_ = false;
                                                     }
-                                                    let _e1701 = phi_2610_;
-                                                    let _e1703 = phi_2612_;
-                                                    let _e1705 = phi_2614_;
-                                                    let _e1707 = phi_2736_;
-                                                    let _e1709 = phi_2737_;
-                                                    let _e1711 = phi_2738_;
-                                                    local_8 = _e1711;
-                                                    local_9 = _e1707;
+                                                    let _e1702 = phi_2611_;
+                                                    let _e1704 = phi_2613_;
+                                                    let _e1706 = phi_2615_;
+                                                    let _e1708 = phi_2737_;
+                                                    let _e1710 = phi_2738_;
+                                                    let _e1712 = phi_2739_;
+                                                    local_8 = _e1712;
+                                                    local_9 = _e1708;
                                                     continue;
                                                     continuing {
-                                                        phi_2606_ = type_9(select(_e1603.member, (_e1603.member + 1u), _e1612), select(_e1603.member_1, _e1603.member_1, _e1612));
-                                                        phi_2609_ = _e1701;
-                                                        phi_2611_ = _e1703;
-                                                        phi_2613_ = _e1705;
-                                                        break if !(_e1709);
+                                                        phi_2607_ = type_9(select(_e1604.member, (_e1604.member + 1u), _e1613), select(_e1604.member_1, _e1604.member_1, _e1613));
+                                                        phi_2610_ = _e1702;
+                                                        phi_2612_ = _e1704;
+                                                        phi_2614_ = _e1706;
+                                                        break if !(_e1710);
                                                     }
                                                 }
-                                                let _e1714 = local_8;
-                                                let _e1716 = local_9;
-                                                let _e1718 = local_10;
-                                                phi_2743_ = select(_e1718, _e1716, _e1714);
+                                                let _e1715 = local_8;
+                                                let _e1717 = local_9;
+                                                let _e1719 = local_10;
+                                                phi_2744_ = select(_e1719, _e1717, _e1715);
                                             } else {
-                                                phi_2743_ = _e1481;
+                                                phi_2744_ = _e1482;
                                             }
-                                            let _e1721 = phi_2743_;
-                                            if _e1549 {
-                                                let _e1727 = local_4.member_3;
-                                                let _e1729 = local_4.member_3;
-                                                phi_2761_ = type_9(0u, 64u);
-                                                phi_2764_ = (_e1727 + _e1729);
+                                            let _e1722 = phi_2744_;
+                                            if _e1550 {
+                                                let _e1728 = local_4.member_3;
+                                                let _e1730 = local_4.member_3;
+                                                phi_2762_ = type_9(0u, 64u);
+                                                phi_2765_ = (_e1728 + _e1730);
                                                 loop {
-                                                    let _e1732 = phi_2761_;
-                                                    let _e1734 = phi_2764_;
-                                                    let _e1737 = (_e1732.member < _e1732.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1737)) != 0i) {
-                                                        let _e1749 = (_e1721 + _e1734);
-                                                        if (_e1749 < _e1485) {
-                                                            let _e1752 = (f64(1f) - _e1749);
-                                                            let _e1755 = local_4.member[0u];
-                                                            let _e1758 = local_4.member[1u];
-                                                            let _e1761 = local_4.member[2u];
-                                                            let _e1764 = local_4.member[3u];
-                                                            let _e1778 = local_4.member_1;
-                                                            let _e1779 = ((select(f64(1f), f64(-1f), (_e1537 < _e1550)) * ((((_e1755 * _e1752) + (_e1758 * _e1749)) * (_e1752 * _e1752)) + (((_e1761 * _e1752) + (_e1764 * _e1749)) * (_e1749 * _e1749)))) > _e1778);
-                                                            phi_2830_ = select((_e1734 + _e1734), f64(), _e1779);
-                                                            phi_2831_ = select(true, false, _e1779);
-                                                            phi_2832_ = _e1779;
-                                                            phi_2833_ = false;
+                                                    let _e1733 = phi_2762_;
+                                                    let _e1735 = phi_2765_;
+                                                    let _e1738 = (_e1733.member < _e1733.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1738)) != 0i) {
+                                                        let _e1750 = (_e1722 + _e1735);
+                                                        if (_e1750 < _e1486) {
+                                                            let _e1753 = (f64(1f) - _e1750);
+                                                            let _e1756 = local_4.member[0u];
+                                                            let _e1759 = local_4.member[1u];
+                                                            let _e1762 = local_4.member[2u];
+                                                            let _e1765 = local_4.member[3u];
+                                                            let _e1779 = local_4.member_1;
+                                                            let _e1780 = ((select(f64(1f), f64(-1f), (_e1538 < _e1551)) * ((((_e1756 * _e1753) + (_e1759 * _e1750)) * (_e1753 * _e1753)) + (((_e1762 * _e1753) + (_e1765 * _e1750)) * (_e1750 * _e1750)))) > _e1779);
+                                                            phi_2831_ = select((_e1735 + _e1735), f64(), _e1780);
+                                                            phi_2832_ = select(true, false, _e1780);
+                                                            phi_2833_ = _e1780;
+                                                            phi_2834_ = false;
                                                         } else {
-                                                            phi_2830_ = f64();
-                                                            phi_2831_ = false;
+                                                            phi_2831_ = f64();
                                                             phi_2832_ = false;
-                                                            phi_2833_ = true;
+                                                            phi_2833_ = false;
+                                                            phi_2834_ = true;
                                                         }
-                                                        let _e1784 = phi_2830_;
-                                                        let _e1786 = phi_2831_;
-                                                        let _e1788 = phi_2832_;
-                                                        let _e1790 = phi_2833_;
-                                                        phi_2834_ = _e1749;
-                                                        phi_2765_ = _e1784;
-                                                        phi_2835_ = _e1786;
-                                                        phi_2836_ = _e1788;
-                                                        phi_2837_ = _e1790;
-                                                        phi_2838_ = false;
+                                                        let _e1785 = phi_2831_;
+                                                        let _e1787 = phi_2832_;
+                                                        let _e1789 = phi_2833_;
+                                                        let _e1791 = phi_2834_;
+                                                        phi_2835_ = _e1750;
+                                                        phi_2766_ = _e1785;
+                                                        phi_2836_ = _e1787;
+                                                        phi_2837_ = _e1789;
+                                                        phi_2838_ = _e1791;
+                                                        phi_2839_ = false;
                                                     } else {
-                                                        phi_2834_ = f64();
-                                                        phi_2765_ = f64();
-                                                        phi_2835_ = false;
+                                                        phi_2835_ = f64();
+                                                        phi_2766_ = f64();
                                                         phi_2836_ = false;
                                                         phi_2837_ = false;
-                                                        phi_2838_ = true;
+                                                        phi_2838_ = false;
+                                                        phi_2839_ = true;
                                                     }
-                                                    let _e1792 = phi_2834_;
-                                                    let _e1794 = phi_2765_;
-                                                    let _e1796 = phi_2835_;
-                                                    let _e1798 = phi_2836_;
-                                                    let _e1800 = phi_2837_;
-                                                    let _e1802 = phi_2838_;
-                                                    local_11 = _e1798;
-                                                    local_12 = _e1800;
-                                                    local_13 = _e1798;
-                                                    local_14 = _e1802;
-                                                    local_15 = _e1792;
+                                                    let _e1793 = phi_2835_;
+                                                    let _e1795 = phi_2766_;
+                                                    let _e1797 = phi_2836_;
+                                                    let _e1799 = phi_2837_;
+                                                    let _e1801 = phi_2838_;
+                                                    let _e1803 = phi_2839_;
+                                                    local_11 = _e1799;
+                                                    local_12 = _e1801;
+                                                    local_13 = _e1799;
+                                                    local_14 = _e1803;
+                                                    local_15 = _e1793;
                                                     continue;
                                                     continuing {
-                                                        phi_2761_ = type_9(select(_e1732.member, (_e1732.member + 1u), _e1737), select(_e1732.member_1, _e1732.member_1, _e1737));
-                                                        phi_2764_ = _e1794;
-                                                        break if !(_e1796);
+                                                        phi_2762_ = type_9(select(_e1733.member, (_e1733.member + 1u), _e1738), select(_e1733.member_1, _e1733.member_1, _e1738));
+                                                        phi_2765_ = _e1795;
+                                                        break if !(_e1797);
                                                     }
                                                 }
-                                                let _e1805 = local_11;
-                                                let _e1807 = local_12;
-                                                let _e1810 = local_13;
-                                                let _e1812 = local_14;
-                                                let _e1816 = local_15;
-                                                phi_2852_ = select(_e1816, _e1485, select(select(_e1812, false, _e1810), true, select(_e1807, false, _e1805)));
+                                                let _e1806 = local_11;
+                                                let _e1808 = local_12;
+                                                let _e1811 = local_13;
+                                                let _e1813 = local_14;
+                                                let _e1817 = local_15;
+                                                phi_2853_ = select(_e1817, _e1486, select(select(_e1813, false, _e1811), true, select(_e1808, false, _e1806)));
                                             } else {
-                                                phi_2852_ = _e1485;
+                                                phi_2853_ = _e1486;
                                             }
-                                            let _e1819 = phi_2852_;
-                                            phi_2854_ = type_43(_e1721, _e1819, _e1558);
+                                            let _e1820 = phi_2853_;
+                                            phi_2855_ = type_43(_e1722, _e1820, _e1559);
                                         } else {
-                                            phi_2854_ = _e1572;
+                                            phi_2855_ = _e1573;
                                         }
-                                        let _e1822 = phi_2854_;
-                                        if (_e1822.member > _e1822.member_1) {
-                                            phi_3724_ = u32();
-                                            phi_3725_ = true;
-                                            phi_3726_ = false;
+                                        let _e1823 = phi_2855_;
+                                        if (_e1823.member > _e1823.member_1) {
+                                            phi_3725_ = u32();
+                                            phi_3726_ = true;
                                             phi_3727_ = false;
+                                            phi_3728_ = false;
                                         } else {
-                                            let _e1827 = (_e1822.member > _e542);
-                                            if _e1827 {
-                                                phi_3721_ = u32();
-                                                phi_3722_ = false;
+                                            let _e1828 = (_e1823.member > _e543);
+                                            if _e1828 {
+                                                phi_3722_ = u32();
                                                 phi_3723_ = false;
+                                                phi_3724_ = false;
                                             } else {
-                                                let _e1832 = ((_e1822.member_1 - _e1822.member) * f64(0.5f));
-                                                let _e1833 = (_e1822.member + _e1832);
-                                                let _e1836 = (_e1832 + (1.1102230246251565e-16lf * f64(4f)));
-                                                let _e1843 = select(_e893.member.member[0][0], -(_e893.member.member[0][0]), (_e893.member.member[0][0] < 0.0lf));
-                                                let _e1847 = select(_e893.member.member[0][1], -(_e893.member.member[0][1]), (_e893.member.member[0][1] < 0.0lf));
-                                                let _e1849 = select(_e1847, _e1843, (_e1843 > _e1847));
-                                                let _e1853 = select(_e893.member.member[0][2], -(_e893.member.member[0][2]), (_e893.member.member[0][2] < 0.0lf));
-                                                let _e1855 = select(_e1853, _e1849, (_e1849 > _e1853));
-                                                let _e1861 = select(_e893.member.member[1][0], -(_e893.member.member[1][0]), (_e893.member.member[1][0] < 0.0lf));
-                                                let _e1865 = select(_e893.member.member[1][1], -(_e893.member.member[1][1]), (_e893.member.member[1][1] < 0.0lf));
-                                                let _e1867 = select(_e1865, _e1861, (_e1861 > _e1865));
-                                                let _e1871 = select(_e893.member.member[1][2], -(_e893.member.member[1][2]), (_e893.member.member[1][2] < 0.0lf));
-                                                let _e1873 = select(_e1871, _e1867, (_e1867 > _e1871));
-                                                let _e1894 = (_e893.member.member[0][0] + ((_e893.member.member[1][0] - _e893.member.member[0][0]) * _e1833));
-                                                let _e1896 = (_e893.member.member[0][1] + ((_e893.member.member[1][1] - _e893.member.member[0][1]) * _e1833));
-                                                let _e1898 = (_e893.member.member[0][2] + ((_e893.member.member[1][2] - _e893.member.member[0][2]) * _e1833));
-                                                let _e1905 = (_e893.member.member[1][0] - _e893.member.member[0][0]);
-                                                let _e1908 = (_e893.member.member[1][1] - _e893.member.member[0][1]);
-                                                let _e1911 = (_e893.member.member[1][2] - _e893.member.member[0][2]);
-                                                let _e1914 = select(_e1905, -(_e1905), (_e1905 < 0.0lf));
-                                                let _e1917 = select(_e1908, -(_e1908), (_e1908 < 0.0lf));
-                                                let _e1919 = select(_e1917, _e1914, (_e1914 > _e1917));
-                                                let _e1922 = select(_e1911, -(_e1911), (_e1911 < 0.0lf));
-                                                let _e1932 = ((((_e1836 * select(_e1922, _e1919, (_e1919 > _e1922))) * f64(1.01f)) + ((select(_e1873, _e1855, (_e1855 > _e1873)) + _e893.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e893.member.member_3);
-                                                let _e1935 = select(_e1894, -(_e1894), (_e1894 < 0.0lf));
-                                                let _e1938 = select(_e1896, -(_e1896), (_e1896 < 0.0lf));
-                                                let _e1940 = select(_e1938, _e1935, (_e1935 > _e1938));
-                                                let _e1943 = select(_e1898, -(_e1898), (_e1898 < 0.0lf));
-                                                let _e1946 = (select(_e1943, _e1940, (_e1940 > _e1943)) + _e1932);
-                                                let _e1953 = select(_e893.member.member_1[0][0], -(_e893.member.member_1[0][0]), (_e893.member.member_1[0][0] < 0.0lf));
-                                                let _e1957 = select(_e893.member.member_1[0][1], -(_e893.member.member_1[0][1]), (_e893.member.member_1[0][1] < 0.0lf));
-                                                let _e1959 = select(_e1957, _e1953, (_e1953 > _e1957));
-                                                let _e1963 = select(_e893.member.member_1[0][2], -(_e893.member.member_1[0][2]), (_e893.member.member_1[0][2] < 0.0lf));
-                                                let _e1965 = select(_e1963, _e1959, (_e1959 > _e1963));
-                                                let _e1971 = select(_e893.member.member_1[1][0], -(_e893.member.member_1[1][0]), (_e893.member.member_1[1][0] < 0.0lf));
-                                                let _e1975 = select(_e893.member.member_1[1][1], -(_e893.member.member_1[1][1]), (_e893.member.member_1[1][1] < 0.0lf));
-                                                let _e1977 = select(_e1975, _e1971, (_e1971 > _e1975));
-                                                let _e1981 = select(_e893.member.member_1[1][2], -(_e893.member.member_1[1][2]), (_e893.member.member_1[1][2] < 0.0lf));
-                                                let _e1983 = select(_e1981, _e1977, (_e1977 > _e1981));
-                                                let _e2004 = (_e893.member.member_1[0][0] + ((_e893.member.member_1[1][0] - _e893.member.member_1[0][0]) * _e1833));
-                                                let _e2006 = (_e893.member.member_1[0][1] + ((_e893.member.member_1[1][1] - _e893.member.member_1[0][1]) * _e1833));
-                                                let _e2008 = (_e893.member.member_1[0][2] + ((_e893.member.member_1[1][2] - _e893.member.member_1[0][2]) * _e1833));
-                                                let _e2015 = (_e893.member.member_1[1][0] - _e893.member.member_1[0][0]);
-                                                let _e2018 = (_e893.member.member_1[1][1] - _e893.member.member_1[0][1]);
-                                                let _e2021 = (_e893.member.member_1[1][2] - _e893.member.member_1[0][2]);
-                                                let _e2024 = select(_e2015, -(_e2015), (_e2015 < 0.0lf));
-                                                let _e2027 = select(_e2018, -(_e2018), (_e2018 < 0.0lf));
-                                                let _e2029 = select(_e2027, _e2024, (_e2024 > _e2027));
-                                                let _e2032 = select(_e2021, -(_e2021), (_e2021 < 0.0lf));
-                                                let _e2042 = ((((_e1836 * select(_e2032, _e2029, (_e2029 > _e2032))) * f64(1.01f)) + ((select(_e1983, _e1965, (_e1965 > _e1983)) + _e893.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e893.member.member_3);
-                                                let _e2045 = select(_e2004, -(_e2004), (_e2004 < 0.0lf));
-                                                let _e2048 = select(_e2006, -(_e2006), (_e2006 < 0.0lf));
-                                                let _e2050 = select(_e2048, _e2045, (_e2045 > _e2048));
-                                                let _e2053 = select(_e2008, -(_e2008), (_e2008 < 0.0lf));
-                                                let _e2056 = (select(_e2053, _e2050, (_e2050 > _e2053)) + _e2042);
-                                                let _e2063 = select(_e893.member.member_2[0][0], -(_e893.member.member_2[0][0]), (_e893.member.member_2[0][0] < 0.0lf));
-                                                let _e2067 = select(_e893.member.member_2[0][1], -(_e893.member.member_2[0][1]), (_e893.member.member_2[0][1] < 0.0lf));
-                                                let _e2069 = select(_e2067, _e2063, (_e2063 > _e2067));
-                                                let _e2073 = select(_e893.member.member_2[0][2], -(_e893.member.member_2[0][2]), (_e893.member.member_2[0][2] < 0.0lf));
-                                                let _e2075 = select(_e2073, _e2069, (_e2069 > _e2073));
-                                                let _e2081 = select(_e893.member.member_2[1][0], -(_e893.member.member_2[1][0]), (_e893.member.member_2[1][0] < 0.0lf));
-                                                let _e2085 = select(_e893.member.member_2[1][1], -(_e893.member.member_2[1][1]), (_e893.member.member_2[1][1] < 0.0lf));
-                                                let _e2087 = select(_e2085, _e2081, (_e2081 > _e2085));
-                                                let _e2091 = select(_e893.member.member_2[1][2], -(_e893.member.member_2[1][2]), (_e893.member.member_2[1][2] < 0.0lf));
-                                                let _e2093 = select(_e2091, _e2087, (_e2087 > _e2091));
-                                                let _e2114 = (_e893.member.member_2[0][0] + ((_e893.member.member_2[1][0] - _e893.member.member_2[0][0]) * _e1833));
-                                                let _e2116 = (_e893.member.member_2[0][1] + ((_e893.member.member_2[1][1] - _e893.member.member_2[0][1]) * _e1833));
-                                                let _e2118 = (_e893.member.member_2[0][2] + ((_e893.member.member_2[1][2] - _e893.member.member_2[0][2]) * _e1833));
-                                                let _e2125 = (_e893.member.member_2[1][0] - _e893.member.member_2[0][0]);
-                                                let _e2128 = (_e893.member.member_2[1][1] - _e893.member.member_2[0][1]);
-                                                let _e2131 = (_e893.member.member_2[1][2] - _e893.member.member_2[0][2]);
-                                                let _e2134 = select(_e2125, -(_e2125), (_e2125 < 0.0lf));
-                                                let _e2137 = select(_e2128, -(_e2128), (_e2128 < 0.0lf));
-                                                let _e2139 = select(_e2137, _e2134, (_e2134 > _e2137));
-                                                let _e2142 = select(_e2131, -(_e2131), (_e2131 < 0.0lf));
-                                                let _e2152 = ((((_e1836 * select(_e2142, _e2139, (_e2139 > _e2142))) * f64(1.01f)) + ((select(_e2093, _e2075, (_e2075 > _e2093)) + _e893.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e893.member.member_3);
-                                                let _e2155 = select(_e2114, -(_e2114), (_e2114 < 0.0lf));
-                                                let _e2158 = select(_e2116, -(_e2116), (_e2116 < 0.0lf));
-                                                let _e2160 = select(_e2158, _e2155, (_e2155 > _e2158));
-                                                let _e2163 = select(_e2118, -(_e2118), (_e2118 < 0.0lf));
-                                                let _e2166 = (select(_e2163, _e2160, (_e2160 > _e2163)) + _e2152);
-                                                let _e2169 = ((_e2006 * _e2118) - (_e2008 * _e2116));
-                                                let _e2172 = ((_e2008 * _e2114) - (_e2004 * _e2118));
-                                                let _e2175 = ((_e2004 * _e2116) - (_e2006 * _e2114));
-                                                let _e2190 = select(false, (select(_e2169, -(_e2169), (_e2169 < 0.0lf)) > select(_e2175, -(_e2175), (_e2175 < 0.0lf))), (select(_e2169, -(_e2169), (_e2169 < 0.0lf)) > select(_e2172, -(_e2172), (_e2172 < 0.0lf))));
-                                                let _e2205 = select((select(_e2172, -(_e2172), (_e2172 < 0.0lf)) > select(_e2175, -(_e2175), (_e2175 < 0.0lf))), false, (select(_e2169, -(_e2169), (_e2169 < 0.0lf)) > select(_e2172, -(_e2172), (_e2172 < 0.0lf))));
-                                                let _e2208 = select(select(_e1894, _e1896, _e2190), _e1898, _e2205);
-                                                let _e2209 = select(select(_e1896, _e1898, _e2190), _e1894, _e2205);
-                                                let _e2212 = select(select(_e2004, _e2006, _e2190), _e2008, _e2205);
-                                                let _e2213 = select(select(_e2006, _e2008, _e2190), _e2004, _e2205);
-                                                let _e2216 = select(select(_e2114, _e2116, _e2190), _e2118, _e2205);
-                                                let _e2217 = select(select(_e2116, _e2118, _e2190), _e2114, _e2205);
-                                                let _e2220 = ((_e2212 * _e2217) - (_e2213 * _e2216));
-                                                let _e2221 = f64(1f);
-                                                let _e2222 = f64(2f);
-                                                let _e2240 = (((((_e2042 * _e2166) + (_e2056 * _e2152)) * f64(2.01f)) + (((_e2056 * _e2222) * (_e2166 * _e2222)) * (1.1102230246251565e-16lf * _e2222))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2221 + _e2056) * (_e2221 + _e2166))));
-                                                if (select(_e2220, -(_e2220), (_e2220 < 0.0lf)) > _e2240) {
-                                                    let _e2249 = select(f64(1f), f64(-1f), (_e2220 < f64(0f)));
-                                                    let _e2253 = f64(1f);
-                                                    let _e2254 = f64(2f);
-                                                    let _e2272 = (((((_e1932 * _e2166) + (_e1946 * _e2152)) * f64(2.01f)) + (((_e1946 * _e2254) * (_e2166 * _e2254)) * (1.1102230246251565e-16lf * _e2254))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2253 + _e1946) * (_e2253 + _e2166))));
-                                                    let _e2276 = f64(1f);
-                                                    let _e2277 = f64(2f);
-                                                    let _e2295 = (((((_e2042 * _e1946) + (_e2056 * _e1932)) * f64(2.01f)) + (((_e2056 * _e2277) * (_e1946 * _e2277)) * (1.1102230246251565e-16lf * _e2277))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2276 + _e2056) * (_e2276 + _e1946))));
-                                                    let _e2296 = (_e2220 * _e2249);
-                                                    let _e2297 = (((_e2208 * _e2217) - (_e2209 * _e2216)) * _e2249);
-                                                    let _e2298 = (((_e2212 * _e2209) - (_e2213 * _e2208)) * _e2249);
-                                                    let _e2312 = (((select(_e2296, -(_e2296), (_e2296 < 0.0lf)) + select(_e2297, -(_e2297), (_e2297 < 0.0lf))) + select(_e2298, -(_e2298), (_e2298 < 0.0lf))) * (1.1102230246251565e-16lf * f64(4f)));
-                                                    if (_e221.member != 0u) {
-                                                        phi_3619_ = array<type_35, 4>(type_35(_e2297, _e2272), type_35(_e2298, _e2295), type_35((_e2296 - _e2297), ((_e2240 + _e2272) + _e2312)), type_35((_e2296 - _e2298), ((_e2240 + _e2295) + _e2312)));
+                                                let _e1833 = ((_e1823.member_1 - _e1823.member) * f64(0.5f));
+                                                let _e1834 = (_e1823.member + _e1833);
+                                                let _e1837 = (_e1833 + (1.1102230246251565e-16lf * f64(4f)));
+                                                let _e1844 = select(_e894.member.member[0][0], -(_e894.member.member[0][0]), (_e894.member.member[0][0] < 0.0lf));
+                                                let _e1848 = select(_e894.member.member[0][1], -(_e894.member.member[0][1]), (_e894.member.member[0][1] < 0.0lf));
+                                                let _e1850 = select(_e1848, _e1844, (_e1844 > _e1848));
+                                                let _e1854 = select(_e894.member.member[0][2], -(_e894.member.member[0][2]), (_e894.member.member[0][2] < 0.0lf));
+                                                let _e1856 = select(_e1854, _e1850, (_e1850 > _e1854));
+                                                let _e1862 = select(_e894.member.member[1][0], -(_e894.member.member[1][0]), (_e894.member.member[1][0] < 0.0lf));
+                                                let _e1866 = select(_e894.member.member[1][1], -(_e894.member.member[1][1]), (_e894.member.member[1][1] < 0.0lf));
+                                                let _e1868 = select(_e1866, _e1862, (_e1862 > _e1866));
+                                                let _e1872 = select(_e894.member.member[1][2], -(_e894.member.member[1][2]), (_e894.member.member[1][2] < 0.0lf));
+                                                let _e1874 = select(_e1872, _e1868, (_e1868 > _e1872));
+                                                let _e1895 = (_e894.member.member[0][0] + ((_e894.member.member[1][0] - _e894.member.member[0][0]) * _e1834));
+                                                let _e1897 = (_e894.member.member[0][1] + ((_e894.member.member[1][1] - _e894.member.member[0][1]) * _e1834));
+                                                let _e1899 = (_e894.member.member[0][2] + ((_e894.member.member[1][2] - _e894.member.member[0][2]) * _e1834));
+                                                let _e1906 = (_e894.member.member[1][0] - _e894.member.member[0][0]);
+                                                let _e1909 = (_e894.member.member[1][1] - _e894.member.member[0][1]);
+                                                let _e1912 = (_e894.member.member[1][2] - _e894.member.member[0][2]);
+                                                let _e1915 = select(_e1906, -(_e1906), (_e1906 < 0.0lf));
+                                                let _e1918 = select(_e1909, -(_e1909), (_e1909 < 0.0lf));
+                                                let _e1920 = select(_e1918, _e1915, (_e1915 > _e1918));
+                                                let _e1923 = select(_e1912, -(_e1912), (_e1912 < 0.0lf));
+                                                let _e1933 = ((((_e1837 * select(_e1923, _e1920, (_e1920 > _e1923))) * f64(1.01f)) + ((select(_e1874, _e1856, (_e1856 > _e1874)) + _e894.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e894.member.member_3);
+                                                let _e1936 = select(_e1895, -(_e1895), (_e1895 < 0.0lf));
+                                                let _e1939 = select(_e1897, -(_e1897), (_e1897 < 0.0lf));
+                                                let _e1941 = select(_e1939, _e1936, (_e1936 > _e1939));
+                                                let _e1944 = select(_e1899, -(_e1899), (_e1899 < 0.0lf));
+                                                let _e1947 = (select(_e1944, _e1941, (_e1941 > _e1944)) + _e1933);
+                                                let _e1954 = select(_e894.member.member_1[0][0], -(_e894.member.member_1[0][0]), (_e894.member.member_1[0][0] < 0.0lf));
+                                                let _e1958 = select(_e894.member.member_1[0][1], -(_e894.member.member_1[0][1]), (_e894.member.member_1[0][1] < 0.0lf));
+                                                let _e1960 = select(_e1958, _e1954, (_e1954 > _e1958));
+                                                let _e1964 = select(_e894.member.member_1[0][2], -(_e894.member.member_1[0][2]), (_e894.member.member_1[0][2] < 0.0lf));
+                                                let _e1966 = select(_e1964, _e1960, (_e1960 > _e1964));
+                                                let _e1972 = select(_e894.member.member_1[1][0], -(_e894.member.member_1[1][0]), (_e894.member.member_1[1][0] < 0.0lf));
+                                                let _e1976 = select(_e894.member.member_1[1][1], -(_e894.member.member_1[1][1]), (_e894.member.member_1[1][1] < 0.0lf));
+                                                let _e1978 = select(_e1976, _e1972, (_e1972 > _e1976));
+                                                let _e1982 = select(_e894.member.member_1[1][2], -(_e894.member.member_1[1][2]), (_e894.member.member_1[1][2] < 0.0lf));
+                                                let _e1984 = select(_e1982, _e1978, (_e1978 > _e1982));
+                                                let _e2005 = (_e894.member.member_1[0][0] + ((_e894.member.member_1[1][0] - _e894.member.member_1[0][0]) * _e1834));
+                                                let _e2007 = (_e894.member.member_1[0][1] + ((_e894.member.member_1[1][1] - _e894.member.member_1[0][1]) * _e1834));
+                                                let _e2009 = (_e894.member.member_1[0][2] + ((_e894.member.member_1[1][2] - _e894.member.member_1[0][2]) * _e1834));
+                                                let _e2016 = (_e894.member.member_1[1][0] - _e894.member.member_1[0][0]);
+                                                let _e2019 = (_e894.member.member_1[1][1] - _e894.member.member_1[0][1]);
+                                                let _e2022 = (_e894.member.member_1[1][2] - _e894.member.member_1[0][2]);
+                                                let _e2025 = select(_e2016, -(_e2016), (_e2016 < 0.0lf));
+                                                let _e2028 = select(_e2019, -(_e2019), (_e2019 < 0.0lf));
+                                                let _e2030 = select(_e2028, _e2025, (_e2025 > _e2028));
+                                                let _e2033 = select(_e2022, -(_e2022), (_e2022 < 0.0lf));
+                                                let _e2043 = ((((_e1837 * select(_e2033, _e2030, (_e2030 > _e2033))) * f64(1.01f)) + ((select(_e1984, _e1966, (_e1966 > _e1984)) + _e894.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e894.member.member_3);
+                                                let _e2046 = select(_e2005, -(_e2005), (_e2005 < 0.0lf));
+                                                let _e2049 = select(_e2007, -(_e2007), (_e2007 < 0.0lf));
+                                                let _e2051 = select(_e2049, _e2046, (_e2046 > _e2049));
+                                                let _e2054 = select(_e2009, -(_e2009), (_e2009 < 0.0lf));
+                                                let _e2057 = (select(_e2054, _e2051, (_e2051 > _e2054)) + _e2043);
+                                                let _e2064 = select(_e894.member.member_2[0][0], -(_e894.member.member_2[0][0]), (_e894.member.member_2[0][0] < 0.0lf));
+                                                let _e2068 = select(_e894.member.member_2[0][1], -(_e894.member.member_2[0][1]), (_e894.member.member_2[0][1] < 0.0lf));
+                                                let _e2070 = select(_e2068, _e2064, (_e2064 > _e2068));
+                                                let _e2074 = select(_e894.member.member_2[0][2], -(_e894.member.member_2[0][2]), (_e894.member.member_2[0][2] < 0.0lf));
+                                                let _e2076 = select(_e2074, _e2070, (_e2070 > _e2074));
+                                                let _e2082 = select(_e894.member.member_2[1][0], -(_e894.member.member_2[1][0]), (_e894.member.member_2[1][0] < 0.0lf));
+                                                let _e2086 = select(_e894.member.member_2[1][1], -(_e894.member.member_2[1][1]), (_e894.member.member_2[1][1] < 0.0lf));
+                                                let _e2088 = select(_e2086, _e2082, (_e2082 > _e2086));
+                                                let _e2092 = select(_e894.member.member_2[1][2], -(_e894.member.member_2[1][2]), (_e894.member.member_2[1][2] < 0.0lf));
+                                                let _e2094 = select(_e2092, _e2088, (_e2088 > _e2092));
+                                                let _e2115 = (_e894.member.member_2[0][0] + ((_e894.member.member_2[1][0] - _e894.member.member_2[0][0]) * _e1834));
+                                                let _e2117 = (_e894.member.member_2[0][1] + ((_e894.member.member_2[1][1] - _e894.member.member_2[0][1]) * _e1834));
+                                                let _e2119 = (_e894.member.member_2[0][2] + ((_e894.member.member_2[1][2] - _e894.member.member_2[0][2]) * _e1834));
+                                                let _e2126 = (_e894.member.member_2[1][0] - _e894.member.member_2[0][0]);
+                                                let _e2129 = (_e894.member.member_2[1][1] - _e894.member.member_2[0][1]);
+                                                let _e2132 = (_e894.member.member_2[1][2] - _e894.member.member_2[0][2]);
+                                                let _e2135 = select(_e2126, -(_e2126), (_e2126 < 0.0lf));
+                                                let _e2138 = select(_e2129, -(_e2129), (_e2129 < 0.0lf));
+                                                let _e2140 = select(_e2138, _e2135, (_e2135 > _e2138));
+                                                let _e2143 = select(_e2132, -(_e2132), (_e2132 < 0.0lf));
+                                                let _e2153 = ((((_e1837 * select(_e2143, _e2140, (_e2140 > _e2143))) * f64(1.01f)) + ((select(_e2094, _e2076, (_e2076 > _e2094)) + _e894.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e894.member.member_3);
+                                                let _e2156 = select(_e2115, -(_e2115), (_e2115 < 0.0lf));
+                                                let _e2159 = select(_e2117, -(_e2117), (_e2117 < 0.0lf));
+                                                let _e2161 = select(_e2159, _e2156, (_e2156 > _e2159));
+                                                let _e2164 = select(_e2119, -(_e2119), (_e2119 < 0.0lf));
+                                                let _e2167 = (select(_e2164, _e2161, (_e2161 > _e2164)) + _e2153);
+                                                let _e2170 = ((_e2007 * _e2119) - (_e2009 * _e2117));
+                                                let _e2173 = ((_e2009 * _e2115) - (_e2005 * _e2119));
+                                                let _e2176 = ((_e2005 * _e2117) - (_e2007 * _e2115));
+                                                let _e2191 = select(false, (select(_e2170, -(_e2170), (_e2170 < 0.0lf)) > select(_e2176, -(_e2176), (_e2176 < 0.0lf))), (select(_e2170, -(_e2170), (_e2170 < 0.0lf)) > select(_e2173, -(_e2173), (_e2173 < 0.0lf))));
+                                                let _e2206 = select((select(_e2173, -(_e2173), (_e2173 < 0.0lf)) > select(_e2176, -(_e2176), (_e2176 < 0.0lf))), false, (select(_e2170, -(_e2170), (_e2170 < 0.0lf)) > select(_e2173, -(_e2173), (_e2173 < 0.0lf))));
+                                                let _e2209 = select(select(_e1895, _e1897, _e2191), _e1899, _e2206);
+                                                let _e2210 = select(select(_e1897, _e1899, _e2191), _e1895, _e2206);
+                                                let _e2213 = select(select(_e2005, _e2007, _e2191), _e2009, _e2206);
+                                                let _e2214 = select(select(_e2007, _e2009, _e2191), _e2005, _e2206);
+                                                let _e2217 = select(select(_e2115, _e2117, _e2191), _e2119, _e2206);
+                                                let _e2218 = select(select(_e2117, _e2119, _e2191), _e2115, _e2206);
+                                                let _e2221 = ((_e2213 * _e2218) - (_e2214 * _e2217));
+                                                let _e2222 = f64(1f);
+                                                let _e2223 = f64(2f);
+                                                let _e2241 = (((((_e2043 * _e2167) + (_e2057 * _e2153)) * f64(2.01f)) + (((_e2057 * _e2223) * (_e2167 * _e2223)) * (1.1102230246251565e-16lf * _e2223))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2222 + _e2057) * (_e2222 + _e2167))));
+                                                if (select(_e2221, -(_e2221), (_e2221 < 0.0lf)) > _e2241) {
+                                                    let _e2250 = select(f64(1f), f64(-1f), (_e2221 < f64(0f)));
+                                                    let _e2254 = f64(1f);
+                                                    let _e2255 = f64(2f);
+                                                    let _e2273 = (((((_e1933 * _e2167) + (_e1947 * _e2153)) * f64(2.01f)) + (((_e1947 * _e2255) * (_e2167 * _e2255)) * (1.1102230246251565e-16lf * _e2255))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2254 + _e1947) * (_e2254 + _e2167))));
+                                                    let _e2277 = f64(1f);
+                                                    let _e2278 = f64(2f);
+                                                    let _e2296 = (((((_e2043 * _e1947) + (_e2057 * _e1933)) * f64(2.01f)) + (((_e2057 * _e2278) * (_e1947 * _e2278)) * (1.1102230246251565e-16lf * _e2278))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2277 + _e2057) * (_e2277 + _e1947))));
+                                                    let _e2297 = (_e2221 * _e2250);
+                                                    let _e2298 = (((_e2209 * _e2218) - (_e2210 * _e2217)) * _e2250);
+                                                    let _e2299 = (((_e2213 * _e2210) - (_e2214 * _e2209)) * _e2250);
+                                                    let _e2313 = (((select(_e2297, -(_e2297), (_e2297 < 0.0lf)) + select(_e2298, -(_e2298), (_e2298 < 0.0lf))) + select(_e2299, -(_e2299), (_e2299 < 0.0lf))) * (1.1102230246251565e-16lf * f64(4f)));
+                                                    if (_e222.member != 0u) {
+                                                        phi_3620_ = array<type_35, 4>(type_35(_e2298, _e2273), type_35(_e2299, _e2296), type_35((_e2297 - _e2298), ((_e2241 + _e2273) + _e2313)), type_35((_e2297 - _e2299), ((_e2241 + _e2296) + _e2313)));
                                                     } else {
-                                                        let _e2315 = ((_e2296 - _e2297) - _e2298);
-                                                        let _e2318 = (((_e2240 + _e2272) + _e2295) + _e2312);
-                                                        phi_3619_ = array<type_35, 4>(type_35(_e2297, _e2272), type_35(_e2298, _e2295), type_35(_e2315, _e2318), type_35(_e2315, _e2318));
+                                                        let _e2316 = ((_e2297 - _e2298) - _e2299);
+                                                        let _e2319 = (((_e2241 + _e2273) + _e2296) + _e2313);
+                                                        phi_3620_ = array<type_35, 4>(type_35(_e2298, _e2273), type_35(_e2299, _e2296), type_35(_e2316, _e2319), type_35(_e2316, _e2319));
                                                     }
-                                                    let _e2336 = phi_3619_;
-                                                    local_1 = array<type_35, 4>(type_35(_e2336[0].member, _e2336[0].member_1), type_35(_e2336[1].member, _e2336[1].member_1), type_35(_e2336[2].member, _e2336[2].member_1), type_35(_e2336[3].member, _e2336[3].member_1));
-                                                    phi_3639_ = type_9(0u, 4u);
-                                                    phi_3642_ = true;
+                                                    let _e2337 = phi_3620_;
+                                                    local_1 = array<type_35, 4>(type_35(_e2337[0].member, _e2337[0].member_1), type_35(_e2337[1].member, _e2337[1].member_1), type_35(_e2337[2].member, _e2337[2].member_1), type_35(_e2337[3].member, _e2337[3].member_1));
+                                                    phi_3640_ = type_9(0u, 4u);
+                                                    phi_3643_ = true;
                                                     loop {
-                                                        let _e2355 = phi_3639_;
-                                                        let _e2357 = phi_3642_;
-                                                        local_17 = _e2357;
-                                                        let _e2360 = (_e2355.member < _e2355.member_1);
-                                                        let _e2371 = select(type_9().member_1, _e2355.member, _e2360);
-                                                        if (bitcast<i32>(select(0u, 1u, _e2360)) != 0i) {
-                                                            let _e2376 = local_1[_e2371].member;
-                                                            let _e2379 = local_1[_e2371].member_1;
-                                                            let _e2381 = (_e2376 < -(_e2379));
-                                                            phi_3643_ = select((_e2357 && (_e2376 > _e2379)), bool(), _e2381);
-                                                            phi_3694_ = select(true, false, _e2381);
-                                                            phi_3695_ = _e2381;
+                                                        let _e2356 = phi_3640_;
+                                                        let _e2358 = phi_3643_;
+                                                        local_17 = _e2358;
+                                                        let _e2361 = (_e2356.member < _e2356.member_1);
+                                                        let _e2372 = select(type_9().member_1, _e2356.member, _e2361);
+                                                        if (bitcast<i32>(select(0u, 1u, _e2361)) != 0i) {
+                                                            let _e2377 = local_1[_e2372].member;
+                                                            let _e2380 = local_1[_e2372].member_1;
+                                                            let _e2382 = (_e2377 < -(_e2380));
+                                                            phi_3644_ = select((_e2358 && (_e2377 > _e2380)), bool(), _e2382);
+                                                            phi_3695_ = select(true, false, _e2382);
+                                                            phi_3696_ = _e2382;
                                                         } else {
-                                                            phi_3643_ = bool();
-                                                            phi_3694_ = false;
+                                                            phi_3644_ = bool();
                                                             phi_3695_ = false;
+                                                            phi_3696_ = false;
                                                         }
-                                                        let _e2387 = phi_3643_;
-                                                        let _e2389 = phi_3694_;
-                                                        let _e2391 = phi_3695_;
-                                                        local_16 = _e2391;
+                                                        let _e2388 = phi_3644_;
+                                                        let _e2390 = phi_3695_;
+                                                        let _e2392 = phi_3696_;
+                                                        local_16 = _e2392;
                                                         continue;
                                                         continuing {
-                                                            phi_3639_ = type_9(select(_e2355.member, (_e2355.member + 1u), _e2360), select(_e2355.member_1, _e2355.member_1, _e2360));
-                                                            phi_3642_ = _e2387;
-                                                            break if !(_e2389);
+                                                            phi_3640_ = type_9(select(_e2356.member, (_e2356.member + 1u), _e2361), select(_e2356.member_1, _e2356.member_1, _e2361));
+                                                            phi_3643_ = _e2388;
+                                                            break if !(_e2390);
                                                         }
                                                     }
-                                                    let _e2394 = local_16;
-                                                    let _e2395 = select(true, false, _e2394);
-                                                    let _e2397 = local_17;
-                                                    phi_3709_ = select(u32(), select(2u, 1u, _e2397), _e2395);
-                                                    phi_3710_ = 0u;
-                                                    phi_3711_ = select(true, false, _e2395);
+                                                    let _e2395 = local_16;
+                                                    let _e2396 = select(true, false, _e2395);
+                                                    let _e2398 = local_17;
+                                                    phi_3710_ = select(u32(), select(2u, 1u, _e2398), _e2396);
+                                                    phi_3711_ = 0u;
+                                                    phi_3712_ = select(true, false, _e2396);
                                                 } else {
-                                                    phi_3709_ = u32();
-                                                    phi_3710_ = 2u;
-                                                    phi_3711_ = true;
+                                                    phi_3710_ = u32();
+                                                    phi_3711_ = 2u;
+                                                    phi_3712_ = true;
                                                 }
-                                                let _e2402 = phi_3709_;
-                                                let _e2404 = phi_3710_;
-                                                let _e2406 = phi_3711_;
-                                                let _e2407 = select(_e2402, _e2404, _e2406);
-                                                let _e2408 = (_e2407 == 0u);
-                                                phi_3721_ = _e2407;
+                                                let _e2403 = phi_3710_;
+                                                let _e2405 = phi_3711_;
+                                                let _e2407 = phi_3712_;
+                                                let _e2408 = select(_e2403, _e2405, _e2407);
+                                                let _e2409 = (_e2408 == 0u);
                                                 phi_3722_ = _e2408;
-                                                phi_3723_ = select(true, false, _e2408);
+                                                phi_3723_ = _e2409;
+                                                phi_3724_ = select(true, false, _e2409);
                                             }
-                                            let _e2411 = phi_3721_;
-                                            let _e2413 = phi_3722_;
-                                            let _e2415 = phi_3723_;
-                                            phi_3724_ = _e2411;
-                                            phi_3725_ = _e2413;
-                                            phi_3726_ = _e1827;
-                                            phi_3727_ = _e2415;
+                                            let _e2412 = phi_3722_;
+                                            let _e2414 = phi_3723_;
+                                            let _e2416 = phi_3724_;
+                                            phi_3725_ = _e2412;
+                                            phi_3726_ = _e2414;
+                                            phi_3727_ = _e1828;
+                                            phi_3728_ = _e2416;
                                         }
-                                        let _e2417 = phi_3724_;
-                                        let _e2419 = phi_3725_;
-                                        let _e2421 = phi_3726_;
-                                        let _e2423 = phi_3727_;
-                                        phi_3728_ = _e1822;
-                                        phi_3729_ = _e2417;
-                                        phi_3730_ = _e2419;
-                                        phi_3731_ = _e2421;
-                                        phi_3732_ = _e2423;
+                                        let _e2418 = phi_3725_;
+                                        let _e2420 = phi_3726_;
+                                        let _e2422 = phi_3727_;
+                                        let _e2424 = phi_3728_;
+                                        phi_3729_ = _e1823;
+                                        phi_3730_ = _e2418;
+                                        phi_3731_ = _e2420;
+                                        phi_3732_ = _e2422;
+                                        phi_3733_ = _e2424;
                                     }
-                                    let _e2425 = phi_3728_;
-                                    let _e2427 = phi_3729_;
-                                    let _e2429 = phi_3730_;
-                                    let _e2431 = phi_3731_;
-                                    let _e2433 = phi_3732_;
-                                    phi_3733_ = _e2425;
-                                    phi_3734_ = _e2427;
-                                    phi_3735_ = _e2429;
-                                    phi_3736_ = _e1487;
-                                    phi_3737_ = _e2431;
-                                    phi_3738_ = _e2433;
+                                    let _e2426 = phi_3729_;
+                                    let _e2428 = phi_3730_;
+                                    let _e2430 = phi_3731_;
+                                    let _e2432 = phi_3732_;
+                                    let _e2434 = phi_3733_;
+                                    phi_3734_ = _e2426;
+                                    phi_3735_ = _e2428;
+                                    phi_3736_ = _e2430;
+                                    phi_3737_ = _e1488;
+                                    phi_3738_ = _e2432;
+                                    phi_3739_ = _e2434;
                                 } else {
-                                    phi_3733_ = type_43();
-                                    phi_3734_ = u32();
-                                    phi_3735_ = true;
-                                    phi_3736_ = false;
+                                    phi_3734_ = type_43();
+                                    phi_3735_ = u32();
+                                    phi_3736_ = true;
                                     phi_3737_ = false;
                                     phi_3738_ = false;
+                                    phi_3739_ = false;
                                 }
-                                let _e2435 = phi_3733_;
-                                let _e2437 = phi_3734_;
-                                let _e2439 = phi_3735_;
-                                let _e2441 = phi_3736_;
-                                let _e2443 = phi_3737_;
-                                let _e2445 = phi_3738_;
-                                phi_3745_ = _e2435;
-                                phi_3746_ = _e2437;
-                                phi_3747_ = _e2439;
-                                phi_3748_ = select(_e2441, false, _e2439);
-                                phi_3749_ = select(_e2443, false, _e2439);
-                                phi_3750_ = select(_e2445, false, _e2439);
-                                phi_3751_ = false;
+                                let _e2436 = phi_3734_;
+                                let _e2438 = phi_3735_;
+                                let _e2440 = phi_3736_;
+                                let _e2442 = phi_3737_;
+                                let _e2444 = phi_3738_;
+                                let _e2446 = phi_3739_;
+                                phi_3746_ = _e2436;
+                                phi_3747_ = _e2438;
+                                phi_3748_ = _e2440;
+                                phi_3749_ = select(_e2442, false, _e2440);
+                                phi_3750_ = select(_e2444, false, _e2440);
+                                phi_3751_ = select(_e2446, false, _e2440);
+                                phi_3752_ = false;
                             } else {
-                                phi_3745_ = type_43();
-                                phi_3746_ = u32();
-                                phi_3747_ = false;
+                                phi_3746_ = type_43();
+                                phi_3747_ = u32();
                                 phi_3748_ = false;
                                 phi_3749_ = false;
                                 phi_3750_ = false;
-                                phi_3751_ = true;
+                                phi_3751_ = false;
+                                phi_3752_ = true;
                             }
-                            let _e2450 = phi_3745_;
-                            let _e2452 = phi_3746_;
-                            let _e2454 = phi_3747_;
-                            let _e2456 = phi_3748_;
-                            let _e2458 = phi_3749_;
-                            let _e2460 = phi_3750_;
-                            let _e2462 = phi_3751_;
-                            phi_3752_ = _e2450;
-                            phi_3753_ = _e2452;
-                            phi_3754_ = type_43(_e524, _e524, false);
-                            phi_3755_ = _e2454;
-                            phi_3756_ = false;
-                            phi_3757_ = _e2456;
-                            phi_3758_ = _e2458;
-                            phi_3759_ = _e2460;
-                            phi_3760_ = _e2462;
-                        } else {
-                            phi_3752_ = type_43();
-                            phi_3753_ = u32();
-                            phi_3754_ = type_43();
-                            phi_3755_ = false;
-                            phi_3756_ = true;
+                            let _e2451 = phi_3746_;
+                            let _e2453 = phi_3747_;
+                            let _e2455 = phi_3748_;
+                            let _e2457 = phi_3749_;
+                            let _e2459 = phi_3750_;
+                            let _e2461 = phi_3751_;
+                            let _e2463 = phi_3752_;
+                            phi_3753_ = _e2451;
+                            phi_3754_ = _e2453;
+                            phi_3755_ = type_43(_e525, _e525, false);
+                            phi_3756_ = _e2455;
                             phi_3757_ = false;
+                            phi_3758_ = _e2457;
+                            phi_3759_ = _e2459;
+                            phi_3760_ = _e2461;
+                            phi_3761_ = _e2463;
+                        } else {
+                            phi_3753_ = type_43();
+                            phi_3754_ = u32();
+                            phi_3755_ = type_43();
+                            phi_3756_ = false;
+                            phi_3757_ = true;
                             phi_3758_ = false;
                             phi_3759_ = false;
                             phi_3760_ = false;
+                            phi_3761_ = false;
                         }
-                        let _e2464 = phi_3752_;
-                        let _e2466 = phi_3753_;
-                        let _e2468 = phi_3754_;
-                        let _e2470 = phi_3755_;
-                        let _e2472 = phi_3756_;
-                        let _e2474 = phi_3757_;
-                        let _e2476 = phi_3758_;
-                        let _e2478 = phi_3759_;
-                        let _e2480 = phi_3760_;
-                        local_18 = _e2472;
-                        local_19 = _e2472;
-                        local_20 = _e2472;
-                        local_21 = _e2474;
-                        local_22 = _e2472;
-                        local_23 = _e2476;
-                        local_24 = _e2472;
-                        local_25 = _e2478;
-                        local_26 = _e2472;
-                        local_27 = _e2480;
-                        local_28 = _e2466;
-                        local_29 = _e2464;
-                        local_30 = _e2464;
-                        local_31 = _e2464;
-                        local_32 = _e2464;
-                        local_33 = _e2468;
-                        local_34 = _e2464;
+                        let _e2465 = phi_3753_;
+                        let _e2467 = phi_3754_;
+                        let _e2469 = phi_3755_;
+                        let _e2471 = phi_3756_;
+                        let _e2473 = phi_3757_;
+                        let _e2475 = phi_3758_;
+                        let _e2477 = phi_3759_;
+                        let _e2479 = phi_3760_;
+                        let _e2481 = phi_3761_;
+                        local_18 = _e2473;
+                        local_19 = _e2473;
+                        local_20 = _e2473;
+                        local_21 = _e2475;
+                        local_22 = _e2473;
+                        local_23 = _e2477;
+                        local_24 = _e2473;
+                        local_25 = _e2479;
+                        local_26 = _e2473;
+                        local_27 = _e2481;
+                        local_28 = _e2467;
+                        local_29 = _e2465;
+                        local_30 = _e2465;
+                        local_31 = _e2465;
+                        local_32 = _e2465;
+                        local_33 = _e2469;
+                        local_34 = _e2465;
                         continue;
                         continuing {
-                            phi_2408_ = type_9(select(_e1458.member, (_e1458.member + 1u), _e1461), select(_e1458.member_1, _e1458.member_1, _e1461));
-                            break if !(_e2470);
+                            phi_2409_ = type_9(select(_e1459.member, (_e1459.member + 1u), _e1462), select(_e1459.member_1, _e1459.member_1, _e1462));
+                            break if !(_e2471);
                         }
                     }
-                    let _e2484 = local_18;
-                    let _e2489 = local_19;
-                    let _e2493 = local_20;
-                    let _e2495 = local_21;
-                    let _e2496 = select(_e2495, false, _e2493);
-                    let _e2498 = local_22;
-                    let _e2500 = local_23;
-                    let _e2503 = local_24;
-                    let _e2505 = local_25;
-                    let _e2508 = local_26;
-                    let _e2510 = local_27;
-                    let _e2517 = select(select(_e2500, false, _e2498), false, _e2496);
-                    if select(select(select(_e2505, false, _e2503), false, _e2496), false, _e2517) {
-                        let _e2528 = local_28;
-                        let _e2531 = local_29;
-                        if select(false, _e2531.member_2, (_e2528 == 1u)) {
-                            let _e2535 = local_30;
-                            let _e2538 = local_31;
-                            let _e2541 = ((_e2535.member_1 - _e2538.member) <= (_e515 * f64(0.99f)));
-                            let _e2543 = local_32;
-                            phi_3809_ = type_42(select(type_42().member, 1u, _e2541), select(type_42().member_1, _e2543.member, _e2541));
-                            phi_3810_ = select(true, false, _e2541);
+                    let _e2485 = local_18;
+                    let _e2490 = local_19;
+                    let _e2494 = local_20;
+                    let _e2496 = local_21;
+                    let _e2497 = select(_e2496, false, _e2494);
+                    let _e2499 = local_22;
+                    let _e2501 = local_23;
+                    let _e2504 = local_24;
+                    let _e2506 = local_25;
+                    let _e2509 = local_26;
+                    let _e2511 = local_27;
+                    let _e2518 = select(select(_e2501, false, _e2499), false, _e2497);
+                    if select(select(select(_e2506, false, _e2504), false, _e2497), false, _e2518) {
+                        let _e2529 = local_28;
+                        let _e2532 = local_29;
+                        if select(false, _e2532.member_2, (_e2529 == 1u)) {
+                            let _e2536 = local_30;
+                            let _e2539 = local_31;
+                            let _e2542 = ((_e2536.member_1 - _e2539.member) <= (_e516 * f64(0.99f)));
+                            let _e2544 = local_32;
+                            phi_3810_ = type_42(select(type_42().member, 1u, _e2542), select(type_42().member_1, _e2544.member, _e2542));
+                            phi_3811_ = select(true, false, _e2542);
                         } else {
-                            phi_3809_ = type_42();
-                            phi_3810_ = true;
+                            phi_3810_ = type_42();
+                            phi_3811_ = true;
                         }
-                        let _e2552 = phi_3809_;
-                        let _e2554 = phi_3810_;
-                        phi_3815_ = _e2552;
-                        phi_3816_ = select(true, false, _e2554);
-                        phi_3817_ = false;
-                        phi_3818_ = _e2554;
-                    } else {
-                        phi_3815_ = type_42(select(select(type_42().member, 0u, _e2496), 0u, _e2517), select(select(type_42().member_1, type_42().member_1, _e2496), type_42().member_1, _e2517));
-                        phi_3816_ = select(_e2496, true, _e2517);
-                        phi_3817_ = select(select(select(_e2510, false, _e2508), false, _e2496), false, _e2517);
+                        let _e2553 = phi_3810_;
+                        let _e2555 = phi_3811_;
+                        phi_3816_ = _e2553;
+                        phi_3817_ = select(true, false, _e2555);
                         phi_3818_ = false;
+                        phi_3819_ = _e2555;
+                    } else {
+                        phi_3816_ = type_42(select(select(type_42().member, 0u, _e2497), 0u, _e2518), select(select(type_42().member_1, type_42().member_1, _e2497), type_42().member_1, _e2518));
+                        phi_3817_ = select(_e2497, true, _e2518);
+                        phi_3818_ = select(select(select(_e2511, false, _e2509), false, _e2497), false, _e2518);
+                        phi_3819_ = false;
                     }
-                    let _e2557 = phi_3815_;
-                    let _e2559 = phi_3816_;
-                    let _e2561 = phi_3817_;
-                    let _e2563 = phi_3818_;
-                    let _e2564 = select(_e2561, false, _e2559);
-                    let _e2567 = local_33;
-                    let _e2570 = local_34;
-                    let _e2573 = select(select(_e2563, false, _e2559), true, _e2564);
-                    phi_3840_ = type_42(select(_e2557.member, 2u, _e2573), select(_e2557.member_1, select(_e2570.member, _e2567.member, _e2564), _e2573));
-                    phi_3841_ = type_42(select(type_42().member, 0u, _e2484), select(type_42().member_1, type_42().member_1, _e2489));
-                    phi_3842_ = select(select(_e2559, false, _e2564), true, _e2573);
+                    let _e2558 = phi_3816_;
+                    let _e2560 = phi_3817_;
+                    let _e2562 = phi_3818_;
+                    let _e2564 = phi_3819_;
+                    let _e2565 = select(_e2562, false, _e2560);
+                    let _e2568 = local_33;
+                    let _e2571 = local_34;
+                    let _e2574 = select(select(_e2564, false, _e2560), true, _e2565);
+                    phi_3841_ = type_42(select(_e2558.member, 2u, _e2574), select(_e2558.member_1, select(_e2571.member, _e2568.member, _e2565), _e2574));
+                    phi_3842_ = type_42(select(type_42().member, 0u, _e2485), select(type_42().member_1, type_42().member_1, _e2490));
+                    phi_3843_ = select(select(_e2560, false, _e2565), true, _e2574);
                 }
-                let _e2584 = phi_3840_;
-                let _e2586 = phi_3841_;
-                let _e2588 = phi_3842_;
-                let _e2591 = select(_e2586.member, _e2584.member, _e2588);
-                let _e2594 = select(_e2586.member_1, _e2584.member_1, _e2588);
-                let _e2600 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e2594 > _e524)), (_e2591 == 1u))));
-                switch bitcast<i32>(_e2591) {
+                let _e2585 = phi_3841_;
+                let _e2587 = phi_3842_;
+                let _e2589 = phi_3843_;
+                let _e2592 = select(_e2587.member, _e2585.member, _e2589);
+                let _e2595 = select(_e2587.member_1, _e2585.member_1, _e2589);
+                let _e2601 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e2595 > _e525)), (_e2592 == 1u))));
+                switch bitcast<i32>(_e2592) {
                     case 0: {
-                        phi_3886_ = type_34(0u, _e2600, array<u32, 2>(0u, 0u), false);
+                        phi_3887_ = type_34(0u, _e2601, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e2604 = function_1(_e2594);
-                        phi_3886_ = type_34(0u, _e2600, _e2604, true);
+                        let _e2605 = function_1(_e2595);
+                        phi_3887_ = type_34(0u, _e2601, _e2605, true);
                         break;
                     }
                     case 2: {
-                        let _e2602 = function_1(_e2594);
-                        phi_3886_ = type_34(1u, _e2600, _e2602, true);
+                        let _e2603 = function_1(_e2595);
+                        phi_3887_ = type_34(1u, _e2601, _e2603, true);
                         break;
                     }
                     default: {
-                        phi_3886_ = type_34();
+                        phi_3887_ = type_34();
                         break;
                     }
                 }
-                let _e2608 = phi_3886_;
-                local_6 = type_34(_e2608.member, _e2608.member_1, array<u32, 2>(_e2608.member_2[0], _e2608.member_2[1]), _e2608.member_3);
-                phi_3895_ = type_9(_e179, _e182);
+                let _e2609 = phi_3887_;
+                local_6 = type_34(_e2609.member, _e2609.member_1, array<u32, 2>(_e2609.member_2[0], _e2609.member_2[1]), _e2609.member_3);
+                phi_3896_ = type_9(_e180, _e183);
             } else {
-                phi_3895_ = type_9(0u, 0u);
+                phi_3896_ = type_9(0u, 0u);
             }
-            let _e2618 = phi_3895_;
-            let _e2624 = params.member.member_2.member;
-            let _e2627 = local_6.member;
-            let _e2628 = (_e2627 == 0u);
-            let _e2631 = select(select((_e2624 > 0u), bool(), _e2628), false, _e2628);
-            if _e2631 {
+            let _e2619 = phi_3896_;
+            let _e2625 = params.member.member_2.member;
+            let _e2628 = local_6.member;
+            let _e2629 = (_e2628 == 0u);
+            let _e2632 = select(select((_e2625 > 0u), bool(), _e2629), false, _e2629);
+            if _e2632 {
                 local = type_34(0u, 0u, array<u32, 2>(0u, 0u), false);
             } else {
-                let _e2632 = local_6;
-                local = _e2632;
+                let _e2633 = local_6;
+                local = _e2633;
             }
-            let _e2634 = local.member;
-            let _e2636 = select(true, false, (_e2634 == 0u));
-            let _e2638 = local.member_3;
-            if _e2638 {
-                if _e2636 {
-                    phi_3952_ = true;
+            let _e2635 = local.member;
+            let _e2637 = select(true, false, (_e2635 == 0u));
+            let _e2639 = local.member_3;
+            if _e2639 {
+                if _e2637 {
+                    phi_3953_ = true;
                 } else {
-                    let _e2640 = params.member.member.member_1;
-                    phi_3952_ = ((_e2640 & 16u) != 0u);
+                    let _e2641 = params.member.member.member_1;
+                    phi_3953_ = ((_e2641 & 16u) != 0u);
                 }
-                let _e2644 = phi_3952_;
-                phi_3953_ = _e2644;
+                let _e2645 = phi_3953_;
+                phi_3954_ = _e2645;
             } else {
-                phi_3953_ = false;
+                phi_3954_ = false;
             }
-            let _e2646 = phi_3953_;
-            let _e2648 = local.member_3;
-            if _e2648 {
-                if _e2636 {
+            let _e2647 = phi_3954_;
+            let _e2649 = local.member_3;
+            if _e2649 {
+                if _e2637 {
                 } else {
-                    let _e2650 = local.member_2;
-                    let _e2654 = (_e2650[1] >> bitcast<u32>(20i));
-                    let _e2668 = atomicMin((&earliest.member[0u]), select(((((_e2654 - 896u) << bitcast<u32>(23i)) | ((_e2650[1] & 1048575u) << bitcast<u32>(3i))) | (_e2650[0] >> bitcast<u32>(29i))), 0u, (_e2654 <= 896u)));
+                    let _e2651 = local.member_2;
+                    let _e2656 = ((_e2651[1] >> bitcast<u32>(20i)) & 2047u);
+                    let _e2670 = atomicMin((&earliest.member[0u]), select(((((_e2656 - 896u) << bitcast<u32>(23i)) | ((_e2651[1] & 1048575u) << bitcast<u32>(3i))) | (_e2651[0] >> bitcast<u32>(29i))), 0u, (_e2656 <= 896u)));
                 }
             }
-            if (_e96 == 0u) {
+            if (_e97 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e2646 {
-                let _e2672 = atomicAdd((&counters[0u]), 1u);
-                phi_3996_ = _e2672;
+            if _e2647 {
+                let _e2674 = atomicAdd((&counters[0u]), 1u);
+                phi_3998_ = _e2674;
             } else {
-                phi_3996_ = 0u;
+                phi_3998_ = 0u;
             }
-            let _e2674 = phi_3996_;
+            let _e2676 = phi_3998_;
             workgroupBarrier();
-            if (_e96 == 0u) {
-                let _e2677 = atomicLoad((&counters[0u]));
-                if (_e2677 > 0u) {
-                    let _e2680 = atomicAdd((&contacts.member[0u]), _e2677);
-                    atomicStore((&counters[1u]), _e2680);
+            if (_e97 == 0u) {
+                let _e2679 = atomicLoad((&counters[0u]));
+                if (_e2679 > 0u) {
+                    let _e2682 = atomicAdd((&contacts.member[0u]), _e2679);
+                    atomicStore((&counters[1u]), _e2682);
                 }
             }
             workgroupBarrier();
-            let _e2683 = atomicLoad((&counters[1u]));
-            let _e2684 = (_e2683 + _e2674);
-            if _e2646 {
-                let _e2686 = params.member.member_1.member_3;
-                if (_e2684 < _e2686) {
-                    let _e2692 = (7u * _e2684);
-                    atomicStore((&contacts.member[(4u + _e2692)]), select(1u, 0u, ((_e2618.member_1 & 2147483648u) == 0u)));
-                    let _e2697 = local.member;
-                    atomicStore((&contacts.member[(_e2692 + 5u)]), _e2697);
-                    atomicStore((&contacts.member[(_e2692 + 6u)]), _e2618.member);
-                    atomicStore((&contacts.member[(_e2692 + 7u)]), (_e2618.member_1 & 2147483647u));
-                    let _e2706 = local.member_2[0u];
-                    atomicStore((&contacts.member[(_e2692 + 8u)]), _e2706);
-                    let _e2711 = local.member_2[1u];
-                    atomicStore((&contacts.member[(_e2692 + 9u)]), _e2711);
-                    let _e2715 = local.member_1;
-                    atomicStore((&contacts.member[(_e2692 + 10u)]), _e2715);
+            let _e2685 = atomicLoad((&counters[1u]));
+            let _e2686 = (_e2685 + _e2676);
+            if _e2647 {
+                let _e2688 = params.member.member_1.member_3;
+                if (_e2686 < _e2688) {
+                    let _e2694 = (7u * _e2686);
+                    atomicStore((&contacts.member[(4u + _e2694)]), select(1u, 0u, ((_e2619.member_1 & 2147483648u) == 0u)));
+                    let _e2699 = local.member;
+                    atomicStore((&contacts.member[(_e2694 + 5u)]), _e2699);
+                    atomicStore((&contacts.member[(_e2694 + 6u)]), _e2619.member);
+                    atomicStore((&contacts.member[(_e2694 + 7u)]), (_e2619.member_1 & 2147483647u));
+                    let _e2708 = local.member_2[0u];
+                    atomicStore((&contacts.member[(_e2694 + 8u)]), _e2708);
+                    let _e2713 = local.member_2[1u];
+                    atomicStore((&contacts.member[(_e2694 + 9u)]), _e2713);
+                    let _e2717 = local.member_1;
+                    atomicStore((&contacts.member[(_e2694 + 10u)]), _e2717);
                 }
             }
             workgroupBarrier();
-            if (_e96 == 0u) {
+            if (_e97 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e2631 {
-                let _e2720 = atomicAdd((&counters[0u]), 1u);
-                phi_4078_ = _e2720;
+            if _e2632 {
+                let _e2722 = atomicAdd((&counters[0u]), 1u);
+                phi_4080_ = _e2722;
             } else {
-                phi_4078_ = 0u;
+                phi_4080_ = 0u;
             }
-            let _e2722 = phi_4078_;
+            let _e2724 = phi_4080_;
             workgroupBarrier();
-            if (_e96 == 0u) {
-                let _e2725 = atomicLoad((&counters[0u]));
-                if (_e2725 > 0u) {
-                    let _e2728 = atomicAdd((&left.member[0u]), _e2725);
-                    atomicStore((&counters[1u]), _e2728);
+            if (_e97 == 0u) {
+                let _e2727 = atomicLoad((&counters[0u]));
+                if (_e2727 > 0u) {
+                    let _e2730 = atomicAdd((&left.member[0u]), _e2727);
+                    atomicStore((&counters[1u]), _e2730);
                 }
             }
             workgroupBarrier();
-            let _e2731 = atomicLoad((&counters[1u]));
-            let _e2732 = (_e2731 + _e2722);
-            if _e2631 {
-                if (_e2732 < _e2624) {
-                    let _e2734 = (2u * _e2732);
-                    atomicStore((&left.member[(4u + _e2734)]), _e2618.member);
-                    atomicStore((&left.member[(_e2734 + 5u)]), _e2618.member_1);
+            let _e2733 = atomicLoad((&counters[1u]));
+            let _e2734 = (_e2733 + _e2724);
+            if _e2632 {
+                if (_e2734 < _e2625) {
+                    let _e2736 = (2u * _e2734);
+                    atomicStore((&left.member[(4u + _e2736)]), _e2619.member);
+                    atomicStore((&left.member[(_e2736 + 5u)]), _e2619.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_421_ = type_9(select(_e150.member, (_e150.member + 1u), _e153), select(_e150.member_1, _e150.member_1, _e153));
-            break if !(_e166);
+            phi_422_ = type_9(select(_e151.member, (_e151.member + 1u), _e154), select(_e151.member_1, _e151.member_1, _e154));
+            break if !(_e167);
         }
     }
     return;

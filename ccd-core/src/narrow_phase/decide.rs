@@ -76,12 +76,12 @@ pub fn rounds(n: u32, group: u32, groups: u32, threads: u32) -> u32 {
 /// A time of impact in `[0, 1]` as an integer of the same order, rounded down: the upper bits of
 /// its `f64`, which start at 2^-126 like those of `f32`.
 ///
-/// The bits of the `f32` next below, for `toi >= 2^-126`; 0 for lesser ones.
+/// The bits of the `f32` next below, for `toi >= 2^-126`; 0 for lesser ones, also for -0.
 #[inline(always)]
 pub fn earliest_key(toi: [u32; 2]) -> u32 {
     // 11 bits of exponent, bias 1023, to 8 bits, bias 127; the 29 lowest bits of the fraction fall
     // away.
-    let exponent = toi[1] >> 20;
+    let exponent = toi[1] >> 20 & 0x7ff;
     if exponent <= 1023 - 127 {
         return 0;
     }
@@ -359,8 +359,8 @@ mod tests {
 
     #[test]
     fn keys_are_the_bits_of_f32_rounded_down() {
-        for toi in [0.0, 1e-300, 1.2e-38, 7.49207e-6, 0.1, 1.0 / 3.0, 0.5, 1.0 - f64::EPSILON, 1.0]
-        {
+        let below_1 = 1.0 - f64::EPSILON;
+        for toi in [0.0, -0.0, 1e-300, 1.2e-38, 7.49207e-6, 0.1, 1.0 / 3.0, 0.5, below_1, 1.0] {
             let want = if toi < f32::MIN_POSITIVE as f64 { 0.0 } else { Real::round_down(toi) };
             assert_eq!(f32::from_bits(earliest_key(split(toi))), want, "{toi:e}");
         }

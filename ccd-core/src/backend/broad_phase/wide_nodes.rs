@@ -63,7 +63,8 @@ pub fn is_within(tile: u32, branch: &Branch) -> bool {
     branch.first >= tile && branch.last < tile + TILE
 }
 
-/// Nodes beside the way from the root to a leaf that wait until the others are taken.
+/// Nodes beside the way down to a query's own leaf that wait at a time. Before more are found,
+/// these are taken.
 const BESIDE: usize = 16;
 
 /// A traversal between two of its steps.
@@ -157,9 +158,9 @@ impl LeafDescent {
         !self.is_done && walk.waiting.height() < BESIDE as u32
     }
 
-    /// Visits `node`, which is the record of [`LeafDescent::node`]. If the query's own leaf is
-    /// below its left child, its right child, if that overlaps `query`, waits in `walk`, or is
-    /// returned, if it is a leaf; else [`NONE`].
+    /// Visits `node`, which is the record of [`LeafDescent::node`]. Where the query's own leaf is
+    /// below its left child, all leaves below the right one come after it: a right child that
+    /// overlaps `query` waits in `walk`, or is returned if it is a leaf. Else returns [`NONE`].
     #[inline(always)]
     pub fn step(&mut self, node: &WideNode, query: &Aabb<f32>, walk: &mut WideWalk) -> u32 {
         let (left, right) = (node.split, node.split + 1);

@@ -36,7 +36,7 @@ impl<const N: usize> Stack<N> {
     pub fn pop(&mut self) -> u32 {
         self.height -= 1;
         let top = self.words[self.height as usize];
-        // SAFETY: every word below the height that was had been pushed.
+        // SAFETY: all words below a height have been pushed.
         #[allow(unsafe_code, reason = "words above the height are not written")]
         return unsafe { top.assume_init() };
     }

@@ -168,7 +168,7 @@ pub struct WideNode {
 impl WideNode {
     /// In [`WideNode::flags`]: the number of the left child is that of a leaf, not of a node.
     pub const LEFT_IS_LEAF: u32 = 1;
-    /// The number of the right child is that of a leaf; the next bit.
+    /// The number of the right child is that of a leaf.
     pub const RIGHT_IS_LEAF: u32 = 2;
     /// The left child has fewer leaves than the right one.
     pub const LEFT_IS_SMALLER: u32 = 4;

@@ -21,7 +21,9 @@ impl Frames {
         let (buffers, mut bench) =
             (Buffers::new(device, mesh, options, None)?, Bench::new(device)?);
         bench.set_timing(self.bench.timing())?;
-        (self.buffers, self.bench, self.stale) = (buffers, bench, false);
+        (self.buffers, self.bench) = (buffers, bench);
+        // Those of bodies were counted on the device before.
+        (self.stale, self.of_bodies) = (false, 0);
         self.readback = Readback::default();
         self.order.forget();
         self.geometry = Geometry::default();
