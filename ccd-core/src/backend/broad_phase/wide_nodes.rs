@@ -70,6 +70,7 @@ const BESIDE: usize = 16;
 /// A traversal between two of its steps.
 #[derive(Clone, Copy, Debug)]
 pub struct WideWalk {
+    /// [`BESIDE`] at most when a traversal begins, and [`MAX_HEIGHT`] that it puts above them.
     waiting: Stack<{ MAX_HEIGHT + BESIDE }>,
     /// The node of the next step.
     pub node: u32,

@@ -114,10 +114,10 @@ pub enum Ask {
 }
 
 impl Ask {
-    /// The times that are looked at; -0 is 0.
+    /// The times that are looked at.
     pub fn window(self) -> [f64; 2] {
         match self {
-            Self::Contacts { window } => window.map(|t| t + 0.0),
+            Self::Contacts { window } => window,
             Self::Earliest { .. } | Self::First => [0.0, 1.0],
         }
     }

@@ -22,7 +22,7 @@ impl Frames {
             (Buffers::new(device, mesh, options, None)?, Bench::new(device)?);
         bench.set_timing(self.bench.timing())?;
         (self.buffers, self.bench) = (buffers, bench);
-        // Those of bodies were counted on the device before.
+        // What bodies take was counted by the device before.
         (self.stale, self.of_bodies) = (false, 0);
         self.readback = Readback::default();
         self.order.forget();
