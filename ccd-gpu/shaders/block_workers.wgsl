@@ -35,22 +35,22 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_17 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_22 {
+struct type_21 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_23 {
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -73,7 +73,7 @@ struct type_23 {
 }
 
 struct type_25 {
-    member: type_23,
+    member: type_22,
     member_1: array<array<u32, 2>, 8>,
 }
 
@@ -92,7 +92,7 @@ struct type_30 {
 }
 
 @group(0) @binding(1) 
-var<storage> boxes: type_20;
+var<storage> boxes: type_19;
 @group(0) @binding(4) 
 var<storage, read_write> pairs: type_30;
 var<workgroup> shared_: array<atomic<u32>, 22>;
@@ -122,9 +122,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_475_: type_9;
     var phi_582_: array<u32, 2>;
     var phi_583_: array<u32, 2>;
-    var phi_832_: type_22;
+    var phi_832_: type_21;
     var phi_833_: bool;
-    var phi_834_: type_22;
+    var phi_834_: type_21;
     var phi_835_: bool;
     var phi_913_: type_9;
     var phi_916_: u32;
@@ -387,10 +387,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e321 < select(select(u32(), select(u32(), (((_e425 - 1u) >> bitcast<u32>((_e426 & 31u))) + 1u), _e428), _e427), select(0u, 1u, (_e425 > 0u)), select(true, select(true, false, _e428), _e427))) {
                         let _e446 = params.member.member_2.member_1[_e319][0u];
                         let _e449 = boxes.member[(_e446 + _e321)];
-                        phi_832_ = type_22(array<f32, 3>(_e449.member.x, _e449.member.y, _e449.member_1.x), array<f32, 3>(_e449.member_1.y, _e449.member_2.x, _e449.member_2.y));
+                        phi_832_ = type_21(array<f32, 3>(_e449.member.x, _e449.member.y, _e449.member_1.x), array<f32, 3>(_e449.member_1.y, _e449.member_2.x, _e449.member_2.y));
                         phi_833_ = true;
                     } else {
-                        phi_832_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_832_ = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                         phi_833_ = false;
                     }
                     let _e466 = phi_832_;
@@ -398,7 +398,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_834_ = _e466;
                     phi_835_ = _e468;
                 } else {
-                    phi_834_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                    phi_834_ = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                     phi_835_ = false;
                 }
                 let _e470 = phi_834_;

@@ -35,48 +35,48 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_14 {
     member: i32,
     member_1: i32,
 }
 
-struct type_16 {
+struct type_15 {
     member: u32,
     member_1: i32,
 }
 
-struct type_18 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_21 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_24 {
-    member: type_18,
+struct type_23 {
+    member: type_17,
     member_1: array<f32, 3>,
 }
 
-struct type_25 {
+struct type_24 {
     member: type_7,
     member_1: type_8,
-    member_2: type_21,
+    member_2: type_20,
+}
+
+struct type_25 {
+    member: type_24,
 }
 
 struct type_26 {
-    member: type_25,
-}
-
-struct type_27 {
-    member: type_24,
+    member: type_23,
     member_1: u32,
 }
 
@@ -91,27 +91,27 @@ var<workgroup> counters: array<atomic<u32>, 8>;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_31;
 @group(0) @binding(0) 
-var<storage> params: type_26;
+var<storage> params: type_25;
 @group(0) @binding(1) 
-var<storage> sorted: type_20;
+var<storage> sorted: type_19;
 @group(0) @binding(2) 
 var<storage> keys: type_11;
 @group(0) @binding(4) 
 var<storage> survey: type_11;
 @group(0) @binding(5) 
 var<storage> work: type_11;
-var<workgroup> boxes: array<type_18, 128>;
+var<workgroup> boxes: array<type_17, 128>;
 var<workgroup> hits: array<u32, 2048>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var local_1: type_18;
-    var local_2: type_24;
+    var local_1: type_17;
+    var local_2: type_23;
     var local_3: array<f32, 3>;
-    var local_4: type_18;
-    var local_5: type_18;
-    var local_6: type_24;
-    var local_7: type_18;
+    var local_4: type_17;
+    var local_5: type_17;
+    var local_6: type_23;
+    var local_7: type_17;
     var phi_212_: u32;
     var phi_260_: u32;
     var phi_263_: type_9;
@@ -119,22 +119,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_497_: u32;
     var phi_498_: u32;
     var phi_499_: bool;
-    var phi_520_: type_15;
+    var phi_520_: type_14;
     var phi_523_: u32;
     var phi_525_: u32;
-    var phi_521_: type_15;
-    var phi_566_: type_16;
+    var phi_521_: type_14;
+    var phi_566_: type_15;
     var phi_597_: u32;
     var phi_598_: u32;
     var phi_599_: bool;
     var phi_524_: u32;
     var phi_526_: u32;
     var phi_600_: bool;
-    var phi_605_: type_15;
+    var phi_605_: type_14;
     var phi_608_: u32;
     var phi_610_: u32;
-    var phi_606_: type_15;
-    var phi_651_: type_16;
+    var phi_606_: type_14;
+    var phi_651_: type_15;
     var phi_682_: u32;
     var phi_683_: u32;
     var phi_684_: bool;
@@ -147,22 +147,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_715_: bool;
     var phi_785_: type_9;
     var phi_994_: type_9;
-    var phi_997_: type_27;
+    var phi_997_: type_26;
     var phi_1030_: type_9;
     var phi_1033_: bool;
     var phi_1034_: bool;
     var local_10: bool;
-    var phi_1101_: type_27;
+    var phi_1101_: type_26;
     var phi_1102_: bool;
-    var phi_998_: type_27;
+    var phi_998_: type_26;
     var phi_1103_: bool;
-    var local_11: type_27;
-    var local_12: type_27;
-    var local_13: type_27;
-    var local_14: type_27;
-    var local_15: type_27;
-    var local_16: type_27;
-    var local_17: type_27;
+    var local_11: type_26;
+    var local_12: type_26;
+    var local_13: type_26;
+    var local_14: type_26;
+    var local_15: type_26;
+    var local_16: type_26;
+    var local_17: type_26;
     var phi_1160_: type_9;
     var phi_1281_: type_9;
     var phi_1388_: array<u32, 3>;
@@ -185,9 +185,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1589_: array<u32, 2>;
     var phi_1600_: array<u32, 3>;
     var phi_1602_: array<u32, 3>;
-    var phi_1619_: type_18;
+    var phi_1619_: type_17;
     var phi_1622_: type_9;
-    var phi_1681_: type_18;
+    var phi_1681_: type_17;
     var phi_1682_: u32;
     var phi_1703_: type_9;
     var phi_1872_: type_9;
@@ -265,7 +265,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e222 = select(select(1u, 2u, _e213), select(1u, 0u, _e213), (_e173 >= (select(1u, 8u, (_e209 == 2u)) * select(1u, 10u, (_e209 == 2u)))));
                 let _e224 = keys.member[_e201];
                 let _e226 = sorted.member[_e201];
-                local_7 = type_18(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]), array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
+                local_7 = type_17(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]), array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
                 if (_e209 == 2u) {
                     phi_464_ = ((_e173 % 80u) / 10u);
                 } else {
@@ -293,7 +293,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (_e264 < 8u) {
                     let _e270 = ((_e222 << bitcast<u32>(30u)) + (_e264 << bitcast<u32>(27u)));
                     let _e274 = params.member.member.member_2[3u];
-                    phi_520_ = type_15(0i, 32i);
+                    phi_520_ = type_14(0i, 32i);
                     phi_523_ = 0u;
                     phi_525_ = _e274;
                     loop {
@@ -303,11 +303,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         local_8 = _e279;
                         if (_e277.member < _e277.member_1) {
                             let _e288 = (_e277.member + 1i);
-                            phi_521_ = type_15(select(_e288, type_16().member_1, select(false, true, ((false == (_e288 > _e277.member)) != false))), _e277.member_1);
-                            phi_566_ = type_16(1u, _e277.member);
+                            phi_521_ = type_14(select(_e288, type_15().member_1, select(false, true, ((false == (_e288 > _e277.member)) != false))), _e277.member_1);
+                            phi_566_ = type_15(1u, _e277.member);
                         } else {
                             phi_521_ = _e277;
-                            phi_566_ = type_16(0u, type_16().member_1);
+                            phi_566_ = type_15(0u, type_15().member_1);
                         }
                         let _e299 = phi_521_;
                         let _e301 = phi_566_;
@@ -346,7 +346,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             break if !(_e326);
                         }
                     }
-                    phi_605_ = type_15(0i, 32i);
+                    phi_605_ = type_14(0i, 32i);
                     phi_608_ = 0u;
                     phi_610_ = _e274;
                     loop {
@@ -356,11 +356,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         local_9 = _e331;
                         if (_e329.member < _e329.member_1) {
                             let _e340 = (_e329.member + 1i);
-                            phi_606_ = type_15(select(_e340, type_16().member_1, select(false, true, ((false == (_e340 > _e329.member)) != false))), _e329.member_1);
-                            phi_651_ = type_16(1u, _e329.member);
+                            phi_606_ = type_14(select(_e340, type_15().member_1, select(false, true, ((false == (_e340 > _e329.member)) != false))), _e329.member_1);
+                            phi_651_ = type_15(1u, _e329.member);
                         } else {
                             phi_606_ = _e329;
-                            phi_651_ = type_16(0u, type_16().member_1);
+                            phi_651_ = type_15(0u, type_15().member_1);
                         }
                         let _e351 = phi_606_;
                         let _e353 = phi_651_;
@@ -423,7 +423,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e419 = bitcast<f32>(select(~(_e412), (_e412 & 2147483647u), ((_e412 >> bitcast<u32>(31i)) == 1u)));
                         let _e421 = survey.member[8u];
                         let _e428 = bitcast<f32>(select(~(_e421), (_e421 & 2147483647u), ((_e421 >> bitcast<u32>(31i)) == 1u)));
-                        local_5 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        local_5 = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                         phi_785_ = type_9(0u, 3u);
                         loop {
                             let _e430 = phi_785_;
@@ -444,7 +444,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                         }
                         let _e472 = local_5;
-                        local_6 = type_24(_e472, array<f32, 3>(_e410, _e419, _e428));
+                        local_6 = type_23(_e472, array<f32, 3>(_e410, _e419, _e428));
                         if (_e242 == 0u) {
                             let _e763 = (_e224 & 134217727u);
                             phi_1388_ = array<u32, 3>((_e763 & 511u), ((_e763 >> bitcast<u32>(9u)) & 511u), (_e763 >> bitcast<u32>(18u)));
@@ -457,7 +457,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e515 = local_6.member.member[2u];
                             local_3 = array<f32, 3>(((_e493 * 0.5f) - (_e497 * 0.5f)), ((_e502 * 0.5f) - (_e506 * 0.5f)), ((_e511 * 0.5f) - (_e515 * 0.5f)));
                             phi_994_ = type_9(0u, 9u);
-                            phi_997_ = type_27(type_24(type_18(array<f32, 3>(_e472.member[0], _e472.member[1], _e472.member[2]), array<f32, 3>(_e472.member_1[0], _e472.member_1[1], _e472.member_1[2])), array<f32, 3>(_e410, _e419, _e428)), 0u);
+                            phi_997_ = type_26(type_23(type_17(array<f32, 3>(_e472.member[0], _e472.member[1], _e472.member[2]), array<f32, 3>(_e472.member_1[0], _e472.member_1[1], _e472.member_1[2])), array<f32, 3>(_e410, _e419, _e428)), 0u);
                             loop {
                                 let _e520 = phi_994_;
                                 let _e522 = phi_997_;
@@ -498,10 +498,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e579 = local_10;
                                     if _e579 {
-                                        phi_1101_ = type_27();
+                                        phi_1101_ = type_26();
                                         phi_1102_ = false;
                                     } else {
-                                        phi_1101_ = type_27(_e522.member, (_e536 + 1u));
+                                        phi_1101_ = type_26(_e522.member, (_e536 + 1u));
                                         phi_1102_ = true;
                                     }
                                     let _e584 = phi_1101_;
@@ -509,7 +509,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_998_ = _e584;
                                     phi_1103_ = _e586;
                                 } else {
-                                    phi_998_ = type_27();
+                                    phi_998_ = type_26();
                                     phi_1103_ = false;
                                 }
                                 let _e588 = phi_998_;
@@ -531,7 +531,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e623 = local_15;
                             let _e629 = local_16;
                             let _e635 = local_17;
-                            local_2.member = type_18(array<f32, 3>(_e599.member.member.member[0], _e599.member.member.member[1], _e599.member.member.member[2]), array<f32, 3>(_e599.member.member.member_1[0], _e599.member.member.member_1[1], _e599.member.member.member_1[2]));
+                            local_2.member = type_17(array<f32, 3>(_e599.member.member.member[0], _e599.member.member.member[1], _e599.member.member.member[2]), array<f32, 3>(_e599.member.member.member_1[0], _e599.member.member.member_1[1], _e599.member.member.member_1[2]));
                             local_2.member_1 = array<f32, 3>((_e623.member.member_1[0] * _e621), (_e629.member.member_1[1] * _e621), (_e635.member.member_1[2] * _e621));
                             local_1.member = array<f32, 3>(0f, 0f, 0f);
                             local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
@@ -702,7 +702,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e934 = sorted.member[_e201];
                 phi_1619_ = _e934;
             } else {
-                phi_1619_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_1619_ = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
             let _e936 = phi_1619_;
             phi_1622_ = type_9(0u, ((_e171 >> bitcast<u32>(29i)) + 1u));
@@ -719,13 +719,13 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_1681_ = _e963;
                         phi_1682_ = _e961;
                     } else {
-                        phi_1681_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_1681_ = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                         phi_1682_ = 4294967295u;
                     }
                     let _e965 = phi_1681_;
                     let _e967 = phi_1682_;
                     names[_e90] = _e967;
-                    boxes[_e90] = type_18(array<f32, 3>(_e965.member[0], _e965.member[1], _e965.member[2]), array<f32, 3>(_e965.member_1[0], _e965.member_1[1], _e965.member_1[2]));
+                    boxes[_e90] = type_17(array<f32, 3>(_e965.member[0], _e965.member[1], _e965.member[2]), array<f32, 3>(_e965.member_1[0], _e965.member_1[1], _e965.member_1[2]));
                     if (_e90 == 0u) {
                         atomicStore((&counters[0u]), 0u);
                     }

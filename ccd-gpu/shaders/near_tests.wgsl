@@ -35,16 +35,16 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_16 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_17 {
-    member: array<type_15>,
+struct type_18 {
+    member: array<type_16>,
 }
 
-struct type_18 {
+struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -52,23 +52,23 @@ struct type_18 {
     member_4: u32,
 }
 
-struct type_19 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
-}
-
-struct type_20 {
-    member: type_19,
+    member_2: type_19,
 }
 
 struct type_21 {
+    member: type_20,
+}
+
+struct type_22 {
     member: type_9,
     member_1: type_9,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_24 {
+    member: array<type_22>,
 }
 
 struct type_25 {
@@ -81,15 +81,15 @@ struct type_28 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_21;
 @group(0) @binding(1) 
-var<storage> tests: type_23;
+var<storage> tests: type_24;
 @group(0) @binding(2) 
 var<storage> regions: type_11;
 @group(0) @binding(3) 
-var<storage> swept: type_17;
+var<storage> swept: type_18;
 @group(0) @binding(4) 
-var<storage> boxes: type_17;
+var<storage> boxes: type_18;
 @group(0) @binding(5) 
 var<storage, read_write> vf: type_28;
 @group(0) @binding(6) 

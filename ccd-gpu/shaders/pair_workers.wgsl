@@ -35,18 +35,18 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
     member_3: u32,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_21 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -68,17 +68,17 @@ struct type_21 {
     member_18: u32,
 }
 
-struct type_22 {
+struct type_21 {
     member: type_7,
     member_1: type_8,
-    member_2: type_21,
+    member_2: type_20,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_22 {
+    member: type_21,
 }
 
-struct type_25 {
+struct type_24 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
@@ -100,15 +100,15 @@ struct type_30 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_23;
+var<storage> params: type_22;
 @group(0) @binding(6) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_30;
 @group(0) @binding(1) 
-var<storage> a: type_20;
+var<storage> a: type_19;
 @group(0) @binding(2) 
-var<storage> b: type_20;
+var<storage> b: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> control: type_30;
 @group(0) @binding(4) 
@@ -131,10 +131,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_458_: u32;
     var phi_541_: array<u32, 2>;
     var phi_542_: array<u32, 2>;
-    var phi_715_: type_25;
-    var phi_716_: type_25;
+    var phi_715_: type_24;
+    var phi_716_: type_24;
     var phi_717_: bool;
-    var phi_718_: type_25;
+    var phi_718_: type_24;
     var phi_719_: bool;
     var phi_779_: bool;
     var phi_780_: bool;
@@ -142,18 +142,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_782_: bool;
     var phi_783_: bool;
     var phi_784_: bool;
-    var phi_979_: type_25;
+    var phi_979_: type_24;
     var phi_980_: bool;
-    var phi_981_: type_25;
+    var phi_981_: type_24;
     var phi_982_: bool;
-    var phi_1189_: type_25;
-    var phi_1190_: type_25;
-    var phi_1191_: type_25;
+    var phi_1189_: type_24;
+    var phi_1190_: type_24;
+    var phi_1191_: type_24;
     var phi_1192_: bool;
-    var phi_1193_: type_25;
-    var phi_1194_: type_25;
+    var phi_1193_: type_24;
+    var phi_1194_: type_24;
     var phi_1195_: bool;
-    var phi_1199_: type_25;
+    var phi_1199_: type_24;
     var phi_1210_: array<array<u32, 2>, 4>;
     var phi_1246_: type_26;
     var phi_1247_: type_26;
@@ -367,25 +367,25 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e284 == 1u) {
                         if (_e281[0] == _e281[1]) {
                             if (_e312.member_3 == 4294967295u) {
-                                phi_715_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_715_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e320 = a.member[_e312.member_1];
                                 let _e323 = a.member[_e312.member_3];
                                 let _e326 = !((_e320.member_3 == 4294967295u));
-                                let _e337 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e312.member_1, _e326), select(4294967295u, _e312.member_1, _e326)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e349 = type_25(array<array<u32, 2>, 4>(_e337.member[0], array<u32, 2>(_e312.member_1, _e337.member[1][1]), _e337.member[2], _e337.member[3]), _e337.member_1);
-                                let _e357 = type_25(array<array<u32, 2>, 4>(_e349.member[0], array<u32, 2>(_e312.member_1, _e312.member_3), _e349.member[2], _e349.member[3]), _e349.member_1);
+                                let _e337 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e312.member_1, _e326), select(4294967295u, _e312.member_1, _e326)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e349 = type_24(array<array<u32, 2>, 4>(_e337.member[0], array<u32, 2>(_e312.member_1, _e337.member[1][1]), _e337.member[2], _e337.member[3]), _e337.member_1);
+                                let _e357 = type_24(array<array<u32, 2>, 4>(_e349.member[0], array<u32, 2>(_e312.member_1, _e312.member_3), _e349.member[2], _e349.member[3]), _e349.member_1);
                                 let _e360 = !((_e323.member_3 == 4294967295u));
-                                let _e371 = type_25(array<array<u32, 2>, 4>(_e357.member[0], _e357.member[1], array<u32, 2>(select(4294967295u, _e312.member_3, _e360), select(4294967295u, _e312.member_3, _e360)), _e357.member[3]), _e357.member_1);
-                                let _e374 = type_25(_e371.member, _e371.member);
+                                let _e371 = type_24(array<array<u32, 2>, 4>(_e357.member[0], _e357.member[1], array<u32, 2>(select(4294967295u, _e312.member_3, _e360), select(4294967295u, _e312.member_3, _e360)), _e357.member[3]), _e357.member_1);
+                                let _e374 = type_24(_e371.member, _e371.member);
                                 let _e401 = ((((((_e320.member[0] <= _e323.member_2[0]) && (_e323.member[0] <= _e320.member_2[0])) && (_e320.member[1] <= _e323.member_2[1])) && (_e323.member[1] <= _e320.member_2[1])) && (_e320.member[2] <= _e323.member_2[2])) && (_e323.member[2] <= _e320.member_2[2]));
-                                phi_715_ = type_25(_e374.member, array<array<u32, 2>, 4>(_e374.member_1[0], array<u32, 2>(select(4294967295u, _e312.member_1, _e401), select(4294967295u, _e312.member_3, _e401)), _e374.member_1[2], _e374.member_1[3]));
+                                phi_715_ = type_24(_e374.member, array<array<u32, 2>, 4>(_e374.member_1[0], array<u32, 2>(select(4294967295u, _e312.member_1, _e401), select(4294967295u, _e312.member_3, _e401)), _e374.member_1[2], _e374.member_1[3]));
                             }
                             let _e413 = phi_715_;
                             phi_716_ = _e413;
                             phi_717_ = false;
                         } else {
-                            phi_716_ = type_25();
+                            phi_716_ = type_24();
                             phi_717_ = true;
                         }
                         let _e415 = phi_716_;
@@ -393,7 +393,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_718_ = _e415;
                         phi_719_ = _e417;
                     } else {
-                        phi_718_ = type_25();
+                        phi_718_ = type_24();
                         phi_719_ = true;
                     }
                     let _e419 = phi_718_;
@@ -440,10 +440,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e551 = ((((((_e472.member[0] <= _e487.member_2[0]) && (_e487.member[0] <= _e472.member_2[0])) && (_e472.member[1] <= _e487.member_2[1])) && (_e487.member[1] <= _e472.member_2[1])) && (_e472.member[2] <= _e487.member_2[2])) && (_e487.member[2] <= _e472.member_2[2]));
                                     let _e577 = ((((((_e477.member[0] <= _e482.member_2[0]) && (_e482.member[0] <= _e477.member_2[0])) && (_e477.member[1] <= _e482.member_2[1])) && (_e482.member[1] <= _e477.member_2[1])) && (_e477.member[2] <= _e482.member_2[2])) && (_e482.member[2] <= _e477.member_2[2]));
                                     let _e603 = ((((((_e477.member[0] <= _e487.member_2[0]) && (_e487.member[0] <= _e477.member_2[0])) && (_e477.member[1] <= _e487.member_2[1])) && (_e487.member[1] <= _e477.member_2[1])) && (_e477.member[2] <= _e487.member_2[2])) && (_e487.member[2] <= _e477.member_2[2]));
-                                    phi_979_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e312.member_1, _e314.member_1), array<u32, 2>(_e312.member_1, _e314.member_3), array<u32, 2>(_e312.member_3, _e314.member_1), array<u32, 2>(_e312.member_3, _e314.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e312.member_1, _e525), select(4294967295u, _e314.member_1, _e525)), array<u32, 2>(select(4294967295u, _e312.member_1, _e551), select(4294967295u, _e314.member_3, _e551)), array<u32, 2>(select(4294967295u, _e312.member_3, _e577), select(4294967295u, _e314.member_1, _e577)), array<u32, 2>(select(4294967295u, _e312.member_3, _e603), select(4294967295u, _e314.member_3, _e603))));
+                                    phi_979_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e312.member_1, _e314.member_1), array<u32, 2>(_e312.member_1, _e314.member_3), array<u32, 2>(_e312.member_3, _e314.member_1), array<u32, 2>(_e312.member_3, _e314.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e312.member_1, _e525), select(4294967295u, _e314.member_1, _e525)), array<u32, 2>(select(4294967295u, _e312.member_1, _e551), select(4294967295u, _e314.member_3, _e551)), array<u32, 2>(select(4294967295u, _e312.member_3, _e577), select(4294967295u, _e314.member_1, _e577)), array<u32, 2>(select(4294967295u, _e312.member_3, _e603), select(4294967295u, _e314.member_3, _e603))));
                                     phi_980_ = false;
                                 } else {
-                                    phi_979_ = type_25();
+                                    phi_979_ = type_24();
                                     phi_980_ = true;
                                 }
                                 let _e610 = phi_979_;
@@ -451,7 +451,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_981_ = _e610;
                                 phi_982_ = _e612;
                             } else {
-                                phi_981_ = type_25();
+                                phi_981_ = type_24();
                                 phi_982_ = true;
                             }
                             let _e614 = phi_981_;
@@ -460,19 +460,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if _e469 {
                                     let _e706 = a.member[_e312.member_1];
                                     let _e711 = a.member[_e312.member_3];
-                                    let _e720 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e312.member_1, _e281[1]), array<u32, 2>(_e312.member_3, _e281[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e720 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e312.member_1, _e281[1]), array<u32, 2>(_e312.member_3, _e281[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     let _e745 = ((((((_e706.member[0] <= _e314.member_2[0]) && (_e314.member[0] <= _e706.member_2[0])) && (_e706.member[1] <= _e314.member_2[1])) && (_e314.member[1] <= _e706.member_2[1])) && (_e706.member[2] <= _e314.member_2[2])) && (_e314.member[2] <= _e706.member_2[2]));
-                                    let _e755 = type_25(_e720.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e312.member_1, _e745), select(4294967295u, _e281[1], _e745)), _e720.member_1[1], _e720.member_1[2], _e720.member_1[3]));
+                                    let _e755 = type_24(_e720.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e312.member_1, _e745), select(4294967295u, _e281[1], _e745)), _e720.member_1[1], _e720.member_1[2], _e720.member_1[3]));
                                     let _e780 = ((((((_e711.member[0] <= _e314.member_2[0]) && (_e314.member[0] <= _e711.member_2[0])) && (_e711.member[1] <= _e314.member_2[1])) && (_e314.member[1] <= _e711.member_2[1])) && (_e711.member[2] <= _e314.member_2[2])) && (_e314.member[2] <= _e711.member_2[2]));
-                                    phi_1189_ = type_25(_e755.member, array<array<u32, 2>, 4>(_e755.member_1[0], array<u32, 2>(select(4294967295u, _e312.member_3, _e780), select(4294967295u, _e281[1], _e780)), _e755.member_1[2], _e755.member_1[3]));
+                                    phi_1189_ = type_24(_e755.member, array<array<u32, 2>, 4>(_e755.member_1[0], array<u32, 2>(select(4294967295u, _e312.member_3, _e780), select(4294967295u, _e281[1], _e780)), _e755.member_1[2], _e755.member_1[3]));
                                 } else {
                                     let _e619 = b.member[_e314.member_1];
                                     let _e624 = b.member[_e314.member_3];
-                                    let _e633 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e281[0], _e314.member_1), array<u32, 2>(_e281[0], _e314.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e633 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e281[0], _e314.member_1), array<u32, 2>(_e281[0], _e314.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     let _e658 = ((((((_e312.member[0] <= _e619.member_2[0]) && (_e619.member[0] <= _e312.member_2[0])) && (_e312.member[1] <= _e619.member_2[1])) && (_e619.member[1] <= _e312.member_2[1])) && (_e312.member[2] <= _e619.member_2[2])) && (_e619.member[2] <= _e312.member_2[2]));
-                                    let _e668 = type_25(_e633.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e281[0], _e658), select(4294967295u, _e314.member_1, _e658)), _e633.member_1[1], _e633.member_1[2], _e633.member_1[3]));
+                                    let _e668 = type_24(_e633.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e281[0], _e658), select(4294967295u, _e314.member_1, _e658)), _e633.member_1[1], _e633.member_1[2], _e633.member_1[3]));
                                     let _e693 = ((((((_e312.member[0] <= _e624.member_2[0]) && (_e624.member[0] <= _e312.member_2[0])) && (_e312.member[1] <= _e624.member_2[1])) && (_e624.member[1] <= _e312.member_2[1])) && (_e312.member[2] <= _e624.member_2[2])) && (_e624.member[2] <= _e312.member_2[2]));
-                                    phi_1189_ = type_25(_e668.member, array<array<u32, 2>, 4>(_e668.member_1[0], array<u32, 2>(select(4294967295u, _e281[0], _e693), select(4294967295u, _e314.member_3, _e693)), _e668.member_1[2], _e668.member_1[3]));
+                                    phi_1189_ = type_24(_e668.member, array<array<u32, 2>, 4>(_e668.member_1[0], array<u32, 2>(select(4294967295u, _e281[0], _e693), select(4294967295u, _e314.member_3, _e693)), _e668.member_1[2], _e668.member_1[3]));
                                 }
                                 let _e792 = phi_1189_;
                                 phi_1190_ = _e792;
@@ -483,16 +483,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1191_ = _e794;
                             phi_1192_ = false;
                         } else {
-                            phi_1191_ = type_25();
+                            phi_1191_ = type_24();
                             phi_1192_ = true;
                         }
                         let _e796 = phi_1191_;
                         let _e798 = phi_1192_;
                         phi_1193_ = _e796;
-                        phi_1194_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1194_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1195_ = _e798;
                     } else {
-                        phi_1193_ = type_25();
+                        phi_1193_ = type_24();
                         phi_1194_ = _e419;
                         phi_1195_ = true;
                     }

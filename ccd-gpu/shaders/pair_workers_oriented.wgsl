@@ -35,18 +35,18 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
     member_3: u32,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_21 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -68,22 +68,22 @@ struct type_21 {
     member_18: u32,
 }
 
-struct type_22 {
+struct type_21 {
     member: type_7,
     member_1: type_8,
-    member_2: type_21,
+    member_2: type_20,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_22 {
+    member: type_21,
 }
 
-struct type_25 {
+struct type_24 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
 
-struct type_27 {
+struct type_26 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -92,18 +92,18 @@ struct type_27 {
     member_5: f32,
 }
 
-struct type_29 {
+struct type_28 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_32 {
+struct type_31 {
     member: array<f32, 3>,
     member_1: array<array<f32, 3>, 3>,
     member_2: array<f32, 3>,
@@ -126,19 +126,19 @@ struct type_37 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_23;
+var<storage> params: type_22;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_37;
 @group(0) @binding(3) 
-var<storage> oriented: type_31;
+var<storage> oriented: type_30;
 @group(0) @binding(7) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_37;
 @group(0) @binding(1) 
-var<storage> a: type_20;
+var<storage> a: type_19;
 @group(0) @binding(2) 
-var<storage> b: type_20;
+var<storage> b: type_19;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 var<workgroup> state: array<u32, 1>;
 var<workgroup> stack: array<u32, 2048>;
@@ -147,7 +147,7 @@ var<workgroup> sums: array<u32, 256>;
 var<storage, read_write> nodes: type_37;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_27;
+    var local: type_26;
     var local_1: array<array<u32, 2>, 4>;
     var phi_254_: type_9;
     var phi_338_: u32;
@@ -161,10 +161,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_500_: u32;
     var phi_583_: array<u32, 2>;
     var phi_584_: array<u32, 2>;
-    var phi_757_: type_25;
-    var phi_758_: type_25;
+    var phi_757_: type_24;
+    var phi_758_: type_24;
     var phi_759_: bool;
-    var phi_760_: type_25;
+    var phi_760_: type_24;
     var phi_761_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
@@ -172,21 +172,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_1021_: type_25;
+    var phi_1021_: type_24;
     var phi_1022_: bool;
-    var phi_1023_: type_25;
+    var phi_1023_: type_24;
     var phi_1024_: bool;
-    var phi_1231_: type_25;
-    var phi_1232_: type_25;
-    var phi_1233_: type_25;
+    var phi_1231_: type_24;
+    var phi_1232_: type_24;
+    var phi_1233_: type_24;
     var phi_1234_: bool;
-    var phi_1235_: type_25;
-    var phi_1236_: type_25;
+    var phi_1235_: type_24;
+    var phi_1236_: type_24;
     var phi_1237_: bool;
-    var phi_1241_: type_25;
+    var phi_1241_: type_24;
     var phi_1335_: type_9;
-    var phi_1548_: type_32;
-    var phi_1692_: type_32;
+    var phi_1548_: type_31;
+    var phi_1692_: type_31;
     var phi_3593_: bool;
     var phi_3595_: bool;
     var phi_3596_: bool;
@@ -405,25 +405,25 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e301 == 1u) {
                         if (_e298[0] == _e298[1]) {
                             if (_e329.member_3 == 4294967295u) {
-                                phi_757_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_757_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e337 = a.member[_e329.member_1];
                                 let _e340 = a.member[_e329.member_3];
                                 let _e343 = !((_e337.member_3 == 4294967295u));
-                                let _e354 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e343), select(4294967295u, _e329.member_1, _e343)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e366 = type_25(array<array<u32, 2>, 4>(_e354.member[0], array<u32, 2>(_e329.member_1, _e354.member[1][1]), _e354.member[2], _e354.member[3]), _e354.member_1);
-                                let _e374 = type_25(array<array<u32, 2>, 4>(_e366.member[0], array<u32, 2>(_e329.member_1, _e329.member_3), _e366.member[2], _e366.member[3]), _e366.member_1);
+                                let _e354 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e343), select(4294967295u, _e329.member_1, _e343)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e366 = type_24(array<array<u32, 2>, 4>(_e354.member[0], array<u32, 2>(_e329.member_1, _e354.member[1][1]), _e354.member[2], _e354.member[3]), _e354.member_1);
+                                let _e374 = type_24(array<array<u32, 2>, 4>(_e366.member[0], array<u32, 2>(_e329.member_1, _e329.member_3), _e366.member[2], _e366.member[3]), _e366.member_1);
                                 let _e377 = !((_e340.member_3 == 4294967295u));
-                                let _e388 = type_25(array<array<u32, 2>, 4>(_e374.member[0], _e374.member[1], array<u32, 2>(select(4294967295u, _e329.member_3, _e377), select(4294967295u, _e329.member_3, _e377)), _e374.member[3]), _e374.member_1);
-                                let _e391 = type_25(_e388.member, _e388.member);
+                                let _e388 = type_24(array<array<u32, 2>, 4>(_e374.member[0], _e374.member[1], array<u32, 2>(select(4294967295u, _e329.member_3, _e377), select(4294967295u, _e329.member_3, _e377)), _e374.member[3]), _e374.member_1);
+                                let _e391 = type_24(_e388.member, _e388.member);
                                 let _e418 = ((((((_e337.member[0] <= _e340.member_2[0]) && (_e340.member[0] <= _e337.member_2[0])) && (_e337.member[1] <= _e340.member_2[1])) && (_e340.member[1] <= _e337.member_2[1])) && (_e337.member[2] <= _e340.member_2[2])) && (_e340.member[2] <= _e337.member_2[2]));
-                                phi_757_ = type_25(_e391.member, array<array<u32, 2>, 4>(_e391.member_1[0], array<u32, 2>(select(4294967295u, _e329.member_1, _e418), select(4294967295u, _e329.member_3, _e418)), _e391.member_1[2], _e391.member_1[3]));
+                                phi_757_ = type_24(_e391.member, array<array<u32, 2>, 4>(_e391.member_1[0], array<u32, 2>(select(4294967295u, _e329.member_1, _e418), select(4294967295u, _e329.member_3, _e418)), _e391.member_1[2], _e391.member_1[3]));
                             }
                             let _e430 = phi_757_;
                             phi_758_ = _e430;
                             phi_759_ = false;
                         } else {
-                            phi_758_ = type_25();
+                            phi_758_ = type_24();
                             phi_759_ = true;
                         }
                         let _e432 = phi_758_;
@@ -431,7 +431,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_760_ = _e432;
                         phi_761_ = _e434;
                     } else {
-                        phi_760_ = type_25();
+                        phi_760_ = type_24();
                         phi_761_ = true;
                     }
                     let _e436 = phi_760_;
@@ -478,10 +478,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e568 = ((((((_e489.member[0] <= _e504.member_2[0]) && (_e504.member[0] <= _e489.member_2[0])) && (_e489.member[1] <= _e504.member_2[1])) && (_e504.member[1] <= _e489.member_2[1])) && (_e489.member[2] <= _e504.member_2[2])) && (_e504.member[2] <= _e489.member_2[2]));
                                     let _e594 = ((((((_e494.member[0] <= _e499.member_2[0]) && (_e499.member[0] <= _e494.member_2[0])) && (_e494.member[1] <= _e499.member_2[1])) && (_e499.member[1] <= _e494.member_2[1])) && (_e494.member[2] <= _e499.member_2[2])) && (_e499.member[2] <= _e494.member_2[2]));
                                     let _e620 = ((((((_e494.member[0] <= _e504.member_2[0]) && (_e504.member[0] <= _e494.member_2[0])) && (_e494.member[1] <= _e504.member_2[1])) && (_e504.member[1] <= _e494.member_2[1])) && (_e494.member[2] <= _e504.member_2[2])) && (_e504.member[2] <= _e494.member_2[2]));
-                                    phi_1021_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e329.member_1, _e331.member_1), array<u32, 2>(_e329.member_1, _e331.member_3), array<u32, 2>(_e329.member_3, _e331.member_1), array<u32, 2>(_e329.member_3, _e331.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e542), select(4294967295u, _e331.member_1, _e542)), array<u32, 2>(select(4294967295u, _e329.member_1, _e568), select(4294967295u, _e331.member_3, _e568)), array<u32, 2>(select(4294967295u, _e329.member_3, _e594), select(4294967295u, _e331.member_1, _e594)), array<u32, 2>(select(4294967295u, _e329.member_3, _e620), select(4294967295u, _e331.member_3, _e620))));
+                                    phi_1021_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e329.member_1, _e331.member_1), array<u32, 2>(_e329.member_1, _e331.member_3), array<u32, 2>(_e329.member_3, _e331.member_1), array<u32, 2>(_e329.member_3, _e331.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e542), select(4294967295u, _e331.member_1, _e542)), array<u32, 2>(select(4294967295u, _e329.member_1, _e568), select(4294967295u, _e331.member_3, _e568)), array<u32, 2>(select(4294967295u, _e329.member_3, _e594), select(4294967295u, _e331.member_1, _e594)), array<u32, 2>(select(4294967295u, _e329.member_3, _e620), select(4294967295u, _e331.member_3, _e620))));
                                     phi_1022_ = false;
                                 } else {
-                                    phi_1021_ = type_25();
+                                    phi_1021_ = type_24();
                                     phi_1022_ = true;
                                 }
                                 let _e627 = phi_1021_;
@@ -489,7 +489,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_1023_ = _e627;
                                 phi_1024_ = _e629;
                             } else {
-                                phi_1023_ = type_25();
+                                phi_1023_ = type_24();
                                 phi_1024_ = true;
                             }
                             let _e631 = phi_1023_;
@@ -498,19 +498,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if _e486 {
                                     let _e723 = a.member[_e329.member_1];
                                     let _e728 = a.member[_e329.member_3];
-                                    let _e737 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e329.member_1, _e298[1]), array<u32, 2>(_e329.member_3, _e298[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e737 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e329.member_1, _e298[1]), array<u32, 2>(_e329.member_3, _e298[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     let _e762 = ((((((_e723.member[0] <= _e331.member_2[0]) && (_e331.member[0] <= _e723.member_2[0])) && (_e723.member[1] <= _e331.member_2[1])) && (_e331.member[1] <= _e723.member_2[1])) && (_e723.member[2] <= _e331.member_2[2])) && (_e331.member[2] <= _e723.member_2[2]));
-                                    let _e772 = type_25(_e737.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e762), select(4294967295u, _e298[1], _e762)), _e737.member_1[1], _e737.member_1[2], _e737.member_1[3]));
+                                    let _e772 = type_24(_e737.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e762), select(4294967295u, _e298[1], _e762)), _e737.member_1[1], _e737.member_1[2], _e737.member_1[3]));
                                     let _e797 = ((((((_e728.member[0] <= _e331.member_2[0]) && (_e331.member[0] <= _e728.member_2[0])) && (_e728.member[1] <= _e331.member_2[1])) && (_e331.member[1] <= _e728.member_2[1])) && (_e728.member[2] <= _e331.member_2[2])) && (_e331.member[2] <= _e728.member_2[2]));
-                                    phi_1231_ = type_25(_e772.member, array<array<u32, 2>, 4>(_e772.member_1[0], array<u32, 2>(select(4294967295u, _e329.member_3, _e797), select(4294967295u, _e298[1], _e797)), _e772.member_1[2], _e772.member_1[3]));
+                                    phi_1231_ = type_24(_e772.member, array<array<u32, 2>, 4>(_e772.member_1[0], array<u32, 2>(select(4294967295u, _e329.member_3, _e797), select(4294967295u, _e298[1], _e797)), _e772.member_1[2], _e772.member_1[3]));
                                 } else {
                                     let _e636 = b.member[_e331.member_1];
                                     let _e641 = b.member[_e331.member_3];
-                                    let _e650 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e298[0], _e331.member_1), array<u32, 2>(_e298[0], _e331.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e650 = type_24(array<array<u32, 2>, 4>(array<u32, 2>(_e298[0], _e331.member_1), array<u32, 2>(_e298[0], _e331.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     let _e675 = ((((((_e329.member[0] <= _e636.member_2[0]) && (_e636.member[0] <= _e329.member_2[0])) && (_e329.member[1] <= _e636.member_2[1])) && (_e636.member[1] <= _e329.member_2[1])) && (_e329.member[2] <= _e636.member_2[2])) && (_e636.member[2] <= _e329.member_2[2]));
-                                    let _e685 = type_25(_e650.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e298[0], _e675), select(4294967295u, _e331.member_1, _e675)), _e650.member_1[1], _e650.member_1[2], _e650.member_1[3]));
+                                    let _e685 = type_24(_e650.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e298[0], _e675), select(4294967295u, _e331.member_1, _e675)), _e650.member_1[1], _e650.member_1[2], _e650.member_1[3]));
                                     let _e710 = ((((((_e329.member[0] <= _e641.member_2[0]) && (_e641.member[0] <= _e329.member_2[0])) && (_e329.member[1] <= _e641.member_2[1])) && (_e641.member[1] <= _e329.member_2[1])) && (_e329.member[2] <= _e641.member_2[2])) && (_e641.member[2] <= _e329.member_2[2]));
-                                    phi_1231_ = type_25(_e685.member, array<array<u32, 2>, 4>(_e685.member_1[0], array<u32, 2>(select(4294967295u, _e298[0], _e710), select(4294967295u, _e331.member_3, _e710)), _e685.member_1[2], _e685.member_1[3]));
+                                    phi_1231_ = type_24(_e685.member, array<array<u32, 2>, 4>(_e685.member_1[0], array<u32, 2>(select(4294967295u, _e298[0], _e710), select(4294967295u, _e331.member_3, _e710)), _e685.member_1[2], _e685.member_1[3]));
                                 }
                                 let _e809 = phi_1231_;
                                 phi_1232_ = _e809;
@@ -521,16 +521,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1233_ = _e811;
                             phi_1234_ = false;
                         } else {
-                            phi_1233_ = type_25();
+                            phi_1233_ = type_24();
                             phi_1234_ = true;
                         }
                         let _e813 = phi_1233_;
                         let _e815 = phi_1234_;
                         phi_1235_ = _e813;
-                        phi_1236_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1236_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1237_ = _e815;
                     } else {
-                        phi_1235_ = type_25();
+                        phi_1235_ = type_24();
                         phi_1236_ = _e436;
                         phi_1237_ = true;
                     }
@@ -571,7 +571,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     if select(true, select(true, false, (_e895[1] >= _e840)), (_e895[0] >= _e835)) {
                                         if (_e895[0] < _e835) {
                                             let _e975 = oriented.member[(_e850 + _e895[0])];
-                                            phi_1548_ = type_32(array<f32, 3>(_e975.member.x, _e975.member.y, _e975.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e975.member.w, _e975.member_1.x, _e975.member_1.y), array<f32, 3>(_e975.member_1.z, _e975.member_1.w, _e975.member_2.x), array<f32, 3>(_e975.member_2.y, _e975.member_2.z, _e975.member_2.w)), array<f32, 3>(_e975.member_3.x, _e975.member_3.y, _e975.member_3.z));
+                                            phi_1548_ = type_31(array<f32, 3>(_e975.member.x, _e975.member.y, _e975.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e975.member.w, _e975.member_1.x, _e975.member_1.y), array<f32, 3>(_e975.member_1.z, _e975.member_1.w, _e975.member_2.x), array<f32, 3>(_e975.member_2.y, _e975.member_2.z, _e975.member_2.w)), array<f32, 3>(_e975.member_3.x, _e975.member_3.y, _e975.member_3.z));
                                         } else {
                                             let _e907 = a.member[_e895[0]];
                                             let _e922 = ((_e907.member[0] * 0.5f) + (_e907.member_2[0] * 0.5f));
@@ -591,12 +591,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e955 = (_e942 - _e907.member[2]);
                                             let _e963 = (1f + (0.000000059604645f * 4f));
                                             let _e967 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1548_ = type_32(array<f32, 3>(_e936, _e939, _e942), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e951, _e945, (_e945 > _e951)) * _e963) + _e967), ((select(_e953, _e947, (_e947 > _e953)) * _e963) + _e967), ((select(_e955, _e949, (_e949 > _e955)) * _e963) + _e967)));
+                                            phi_1548_ = type_31(array<f32, 3>(_e936, _e939, _e942), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e951, _e945, (_e945 > _e951)) * _e963) + _e967), ((select(_e953, _e947, (_e947 > _e953)) * _e963) + _e967), ((select(_e955, _e949, (_e949 > _e955)) * _e963) + _e967)));
                                         }
                                         let _e1014 = phi_1548_;
                                         if (_e895[1] < _e840) {
                                             let _e1085 = oriented.member[(_e854 + _e895[1])];
-                                            phi_1692_ = type_32(array<f32, 3>(_e1085.member.x, _e1085.member.y, _e1085.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1085.member.w, _e1085.member_1.x, _e1085.member_1.y), array<f32, 3>(_e1085.member_1.z, _e1085.member_1.w, _e1085.member_2.x), array<f32, 3>(_e1085.member_2.y, _e1085.member_2.z, _e1085.member_2.w)), array<f32, 3>(_e1085.member_3.x, _e1085.member_3.y, _e1085.member_3.z));
+                                            phi_1692_ = type_31(array<f32, 3>(_e1085.member.x, _e1085.member.y, _e1085.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1085.member.w, _e1085.member_1.x, _e1085.member_1.y), array<f32, 3>(_e1085.member_1.z, _e1085.member_1.w, _e1085.member_2.x), array<f32, 3>(_e1085.member_2.y, _e1085.member_2.z, _e1085.member_2.w)), array<f32, 3>(_e1085.member_3.x, _e1085.member_3.y, _e1085.member_3.z));
                                         } else {
                                             let _e1017 = b.member[_e895[1]];
                                             let _e1032 = ((_e1017.member[0] * 0.5f) + (_e1017.member_2[0] * 0.5f));
@@ -616,13 +616,13 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1065 = (_e1052 - _e1017.member[2]);
                                             let _e1073 = (1f + (0.000000059604645f * 4f));
                                             let _e1077 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1692_ = type_32(array<f32, 3>(_e1046, _e1049, _e1052), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e1061, _e1055, (_e1055 > _e1061)) * _e1073) + _e1077), ((select(_e1063, _e1057, (_e1057 > _e1063)) * _e1073) + _e1077), ((select(_e1065, _e1059, (_e1059 > _e1065)) * _e1073) + _e1077)));
+                                            phi_1692_ = type_31(array<f32, 3>(_e1046, _e1049, _e1052), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e1061, _e1055, (_e1055 > _e1061)) * _e1073) + _e1077), ((select(_e1063, _e1057, (_e1057 > _e1063)) * _e1073) + _e1077), ((select(_e1065, _e1059, (_e1059 > _e1065)) * _e1073) + _e1077)));
                                         }
                                         let _e1124 = phi_1692_;
                                         let _e1129 = (_e1124.member[0] - _e1014.member[0]);
                                         let _e1132 = (_e1124.member[1] - _e1014.member[1]);
                                         let _e1135 = (_e1124.member[2] - _e1014.member[2]);
-                                        local = type_27(array<array<f32, 3>, 3>(array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[0][0]) + (_e1124.member_1[0][1] * _e1014.member_1[0][1])) + (_e1124.member_1[0][2] * _e1014.member_1[0][2])), (((_e1124.member_1[1][0] * _e1014.member_1[0][0]) + (_e1124.member_1[1][1] * _e1014.member_1[0][1])) + (_e1124.member_1[1][2] * _e1014.member_1[0][2])), (((_e1124.member_1[2][0] * _e1014.member_1[0][0]) + (_e1124.member_1[2][1] * _e1014.member_1[0][1])) + (_e1124.member_1[2][2] * _e1014.member_1[0][2]))), array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[1][0]) + (_e1124.member_1[0][1] * _e1014.member_1[1][1])) + (_e1124.member_1[0][2] * _e1014.member_1[1][2])), (((_e1124.member_1[1][0] * _e1014.member_1[1][0]) + (_e1124.member_1[1][1] * _e1014.member_1[1][1])) + (_e1124.member_1[1][2] * _e1014.member_1[1][2])), (((_e1124.member_1[2][0] * _e1014.member_1[1][0]) + (_e1124.member_1[2][1] * _e1014.member_1[1][1])) + (_e1124.member_1[2][2] * _e1014.member_1[1][2]))), array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[2][0]) + (_e1124.member_1[0][1] * _e1014.member_1[2][1])) + (_e1124.member_1[0][2] * _e1014.member_1[2][2])), (((_e1124.member_1[1][0] * _e1014.member_1[2][0]) + (_e1124.member_1[1][1] * _e1014.member_1[2][1])) + (_e1124.member_1[1][2] * _e1014.member_1[2][2])), (((_e1124.member_1[2][0] * _e1014.member_1[2][0]) + (_e1124.member_1[2][1] * _e1014.member_1[2][1])) + (_e1124.member_1[2][2] * _e1014.member_1[2][2])))), array<f32, 3>((((_e1014.member_1[0][0] * _e1129) + (_e1014.member_1[0][1] * _e1132)) + (_e1014.member_1[0][2] * _e1135)), (((_e1014.member_1[1][0] * _e1129) + (_e1014.member_1[1][1] * _e1132)) + (_e1014.member_1[1][2] * _e1135)), (((_e1014.member_1[2][0] * _e1129) + (_e1014.member_1[2][1] * _e1132)) + (_e1014.member_1[2][2] * _e1135))), array<f32, 3>((((_e1124.member_1[0][0] * _e1129) + (_e1124.member_1[0][1] * _e1132)) + (_e1124.member_1[0][2] * _e1135)), (((_e1124.member_1[1][0] * _e1129) + (_e1124.member_1[1][1] * _e1132)) + (_e1124.member_1[1][2] * _e1135)), (((_e1124.member_1[2][0] * _e1129) + (_e1124.member_1[2][1] * _e1132)) + (_e1124.member_1[2][2] * _e1135))), array<f32, 3>(_e1014.member_2[0], _e1014.member_2[1], _e1014.member_2[2]), array<f32, 3>(_e1124.member_2[0], _e1124.member_2[1], _e1124.member_2[2]), ((((((select(_e1129, -(_e1129), (_e1129 < 0f)) + select(_e1132, -(_e1132), (_e1132 < 0f))) + select(_e1135, -(_e1135), (_e1135 < 0f))) + (((select(_e1014.member_2[0], -(_e1014.member_2[0]), (_e1014.member_2[0] < 0f)) + select(_e1014.member_2[1], -(_e1014.member_2[1]), (_e1014.member_2[1] < 0f))) + select(_e1014.member_2[2], -(_e1014.member_2[2]), (_e1014.member_2[2] < 0f))) + ((select(_e1124.member_2[0], -(_e1124.member_2[0]), (_e1124.member_2[0] < 0f)) + select(_e1124.member_2[1], -(_e1124.member_2[1]), (_e1124.member_2[1] < 0f))) + select(_e1124.member_2[2], -(_e1124.member_2[2]), (_e1124.member_2[2] < 0f))))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                        local = type_26(array<array<f32, 3>, 3>(array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[0][0]) + (_e1124.member_1[0][1] * _e1014.member_1[0][1])) + (_e1124.member_1[0][2] * _e1014.member_1[0][2])), (((_e1124.member_1[1][0] * _e1014.member_1[0][0]) + (_e1124.member_1[1][1] * _e1014.member_1[0][1])) + (_e1124.member_1[1][2] * _e1014.member_1[0][2])), (((_e1124.member_1[2][0] * _e1014.member_1[0][0]) + (_e1124.member_1[2][1] * _e1014.member_1[0][1])) + (_e1124.member_1[2][2] * _e1014.member_1[0][2]))), array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[1][0]) + (_e1124.member_1[0][1] * _e1014.member_1[1][1])) + (_e1124.member_1[0][2] * _e1014.member_1[1][2])), (((_e1124.member_1[1][0] * _e1014.member_1[1][0]) + (_e1124.member_1[1][1] * _e1014.member_1[1][1])) + (_e1124.member_1[1][2] * _e1014.member_1[1][2])), (((_e1124.member_1[2][0] * _e1014.member_1[1][0]) + (_e1124.member_1[2][1] * _e1014.member_1[1][1])) + (_e1124.member_1[2][2] * _e1014.member_1[1][2]))), array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[2][0]) + (_e1124.member_1[0][1] * _e1014.member_1[2][1])) + (_e1124.member_1[0][2] * _e1014.member_1[2][2])), (((_e1124.member_1[1][0] * _e1014.member_1[2][0]) + (_e1124.member_1[1][1] * _e1014.member_1[2][1])) + (_e1124.member_1[1][2] * _e1014.member_1[2][2])), (((_e1124.member_1[2][0] * _e1014.member_1[2][0]) + (_e1124.member_1[2][1] * _e1014.member_1[2][1])) + (_e1124.member_1[2][2] * _e1014.member_1[2][2])))), array<f32, 3>((((_e1014.member_1[0][0] * _e1129) + (_e1014.member_1[0][1] * _e1132)) + (_e1014.member_1[0][2] * _e1135)), (((_e1014.member_1[1][0] * _e1129) + (_e1014.member_1[1][1] * _e1132)) + (_e1014.member_1[1][2] * _e1135)), (((_e1014.member_1[2][0] * _e1129) + (_e1014.member_1[2][1] * _e1132)) + (_e1014.member_1[2][2] * _e1135))), array<f32, 3>((((_e1124.member_1[0][0] * _e1129) + (_e1124.member_1[0][1] * _e1132)) + (_e1124.member_1[0][2] * _e1135)), (((_e1124.member_1[1][0] * _e1129) + (_e1124.member_1[1][1] * _e1132)) + (_e1124.member_1[1][2] * _e1135)), (((_e1124.member_1[2][0] * _e1129) + (_e1124.member_1[2][1] * _e1132)) + (_e1124.member_1[2][2] * _e1135))), array<f32, 3>(_e1014.member_2[0], _e1014.member_2[1], _e1014.member_2[2]), array<f32, 3>(_e1124.member_2[0], _e1124.member_2[1], _e1124.member_2[2]), ((((((select(_e1129, -(_e1129), (_e1129 < 0f)) + select(_e1132, -(_e1132), (_e1132 < 0f))) + select(_e1135, -(_e1135), (_e1135 < 0f))) + (((select(_e1014.member_2[0], -(_e1014.member_2[0]), (_e1014.member_2[0] < 0f)) + select(_e1014.member_2[1], -(_e1014.member_2[1]), (_e1014.member_2[1] < 0f))) + select(_e1014.member_2[2], -(_e1014.member_2[2]), (_e1014.member_2[2] < 0f))) + ((select(_e1124.member_2[0], -(_e1124.member_2[0]), (_e1124.member_2[0] < 0f)) + select(_e1124.member_2[1], -(_e1124.member_2[1]), (_e1124.member_2[1] < 0f))) + select(_e1124.member_2[2], -(_e1124.member_2[2]), (_e1124.member_2[2] < 0f))))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
                                         let _e1387 = local.member[0u][0u];
                                         let _e1391 = local.member[0u][1u];
                                         let _e1395 = local.member[0u][2u];

@@ -45,7 +45,7 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct type_21 {
+struct type_20 {
     member: array<atomic<u32>>,
 }
 
@@ -57,100 +57,86 @@ var<workgroup> counts: array<atomic<u32>, 1024>;
 @group(0) @binding(2) 
 var<storage> values: type_13;
 @group(0) @binding(3) 
-var<storage, read_write> table: type_21;
+var<storage, read_write> table: type_20;
 @group(0) @binding(4) 
 var<storage, read_write> keys_out: type_13;
 @group(0) @binding(5) 
 var<storage, read_write> values_out: type_13;
-var<workgroup> words: array<atomic<u32>, 2048>;
+var<workgroup> words: array<atomic<u32>, 2560>;
 var<workgroup> lowest: array<atomic<u32>, 1>;
 var<workgroup> digits: array<atomic<u32>, 256>;
 var<workgroup> missing: array<u32, 1>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_139_: u32;
-    var phi_161_: u32;
-    var phi_183_: u32;
-    var phi_205_: u32;
-    var phi_227_: u32;
-    var phi_249_: u32;
-    var phi_271_: u32;
-    var phi_293_: u32;
-    var phi_297_: type_9;
-    var phi_334_: type_9;
-    var phi_829_: type_9;
-    var phi_832_: u32;
-    var phi_833_: u32;
-    var phi_871_: type_9;
+    var phi_160_: u32;
+    var phi_182_: u32;
+    var phi_204_: u32;
+    var phi_226_: u32;
+    var phi_248_: u32;
+    var phi_270_: u32;
+    var phi_292_: u32;
+    var phi_314_: u32;
+    var phi_336_: u32;
+    var phi_358_: u32;
+    var phi_376_: u32;
+    var phi_379_: type_9;
+    var phi_416_: type_9;
+    var phi_987_: type_9;
+    var phi_990_: u32;
+    var phi_991_: u32;
+    var phi_1029_: type_9;
     var local: u32;
-    var phi_960_: u32;
-    var phi_961_: u32;
-    var phi_965_: type_9;
-    var phi_968_: u32;
-    var phi_970_: u32;
-    var phi_972_: u32;
-    var phi_969_: u32;
-    var phi_1011_: u32;
-    var phi_971_: u32;
-    var phi_973_: u32;
-    var phi_1018_: type_9;
-    var phi_1021_: u32;
-    var phi_1023_: u32;
-    var phi_1025_: u32;
-    var phi_1022_: u32;
-    var phi_1064_: u32;
-    var phi_1024_: u32;
-    var phi_1026_: u32;
+    var phi_1096_: type_9;
+    var phi_1099_: u32;
+    var phi_1101_: u32;
+    var phi_1103_: u32;
+    var phi_1100_: u32;
+    var phi_1142_: u32;
+    var phi_1102_: u32;
+    var phi_1104_: u32;
+    var phi_1149_: type_9;
+    var phi_1152_: u32;
+    var phi_1154_: u32;
+    var phi_1156_: u32;
+    var phi_1153_: u32;
+    var phi_1195_: u32;
+    var phi_1155_: u32;
+    var phi_1157_: u32;
     var local_1: u32;
-    var phi_1104_: array<u32, 8>;
-    var phi_1136_: array<u32, 8>;
-    var phi_1168_: array<u32, 8>;
-    var phi_1200_: array<u32, 8>;
-    var phi_1232_: array<u32, 8>;
-    var phi_1264_: array<u32, 8>;
-    var phi_1296_: array<u32, 8>;
-    var phi_1328_: array<u32, 8>;
-    var phi_1438_: u32;
-    var phi_1441_: u32;
-    var phi_1446_: u32;
-    var phi_1449_: u32;
-    var phi_1451_: u32;
-    var phi_1644_: u32;
-    var phi_1645_: u32;
-    var phi_1646_: u32;
-    var phi_1447_: u32;
-    var phi_1450_: u32;
-    var phi_1452_: u32;
-    var phi_1647_: bool;
+    var phi_1750_: u32;
+    var phi_1753_: u32;
+    var phi_1758_: u32;
+    var phi_1761_: u32;
+    var phi_1763_: u32;
+    var phi_1956_: u32;
+    var phi_1957_: u32;
+    var phi_1958_: u32;
+    var phi_1759_: u32;
+    var phi_1762_: u32;
+    var phi_1764_: u32;
+    var phi_1959_: bool;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1835_: u32;
-    var phi_1836_: u32;
-    var phi_1439_: u32;
-    var phi_1442_: u32;
-    var phi_1837_: bool;
+    var phi_2018_: type_9;
     var local_6: u32;
+    var phi_2077_: u32;
+    var phi_2078_: u32;
+    var phi_1751_: u32;
+    var phi_1754_: u32;
+    var phi_2079_: bool;
+    var phi_2106_: array<u32, 3>;
+    var phi_2133_: array<u32, 3>;
+    var phi_2160_: array<u32, 3>;
+    var phi_2187_: array<u32, 3>;
+    var phi_2214_: array<u32, 3>;
+    var phi_2241_: array<u32, 3>;
+    var phi_2268_: array<u32, 3>;
+    var phi_2295_: array<u32, 3>;
+    var phi_2322_: array<u32, 3>;
+    var phi_2349_: array<u32, 3>;
     var local_7: u32;
-    var local_8: u32;
-    var phi_1880_: u32;
-    var phi_1902_: u32;
-    var phi_1924_: u32;
-    var phi_1946_: u32;
-    var phi_1968_: u32;
-    var phi_1990_: u32;
-    var phi_2012_: u32;
-    var phi_2034_: u32;
-    var phi_2052_: array<u32, 8>;
-    var phi_2070_: array<u32, 8>;
-    var phi_2088_: array<u32, 8>;
-    var phi_2106_: array<u32, 8>;
-    var phi_2124_: array<u32, 8>;
-    var phi_2142_: array<u32, 8>;
-    var phi_2160_: array<u32, 8>;
-    var phi_2178_: array<u32, 8>;
-    var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -158,887 +144,818 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e51 = id_2;
-    let _e52 = n_2;
-    let _e53 = lane_2;
-    let _e67 = params.member.member_2.member;
-    let _e70 = params.member.member_1.member;
-    let _e73 = params.member.member_2.member_1;
-    let _e76 = params.member.member_1.member_1;
-    let _e77 = (_e76 + ((_e51.y * _e52.x) + _e51.x));
-    let _e78 = (_e77 * 2048u);
-    let _e83 = (_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u)));
-    if (_e83 < _e70) {
-        let _e86 = keys.member[_e83];
-        phi_139_ = _e86;
+    let _e61 = id_2;
+    let _e62 = n_2;
+    let _e63 = lane_2;
+    let _e77 = params.member.member_2.member;
+    let _e80 = params.member.member_1.member;
+    let _e83 = params.member.member_2.member_1;
+    let _e86 = params.member.member_1.member_1;
+    let _e87 = (_e86 + ((_e61.y * _e62.x) + _e61.x));
+    let _e88 = (_e87 * 2560u);
+    let _e93 = (_e88 + (((_e63 / 32u) * 320u) + (_e63 % 32u)));
+    if (_e93 < _e80) {
+        let _e96 = keys.member[_e93];
+        phi_160_ = _e96;
     } else {
-        phi_139_ = 0u;
+        phi_160_ = 4294967295u;
     }
-    let _e88 = phi_139_;
-    let _e94 = (_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u)));
-    if (_e94 < _e70) {
-        let _e97 = keys.member[_e94];
-        phi_161_ = _e97;
+    let _e98 = phi_160_;
+    let _e104 = (_e88 + ((((_e63 / 32u) * 320u) + 32u) + (_e63 % 32u)));
+    if (_e104 < _e80) {
+        let _e107 = keys.member[_e104];
+        phi_182_ = _e107;
     } else {
-        phi_161_ = 0u;
+        phi_182_ = 4294967295u;
     }
-    let _e99 = phi_161_;
-    let _e105 = (_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u)));
-    if (_e105 < _e70) {
-        let _e108 = keys.member[_e105];
-        phi_183_ = _e108;
+    let _e109 = phi_182_;
+    let _e115 = (_e88 + ((((_e63 / 32u) * 320u) + 64u) + (_e63 % 32u)));
+    if (_e115 < _e80) {
+        let _e118 = keys.member[_e115];
+        phi_204_ = _e118;
     } else {
-        phi_183_ = 0u;
+        phi_204_ = 4294967295u;
     }
-    let _e110 = phi_183_;
-    let _e116 = (_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u)));
-    if (_e116 < _e70) {
-        let _e119 = keys.member[_e116];
-        phi_205_ = _e119;
+    let _e120 = phi_204_;
+    let _e126 = (_e88 + ((((_e63 / 32u) * 320u) + 96u) + (_e63 % 32u)));
+    if (_e126 < _e80) {
+        let _e129 = keys.member[_e126];
+        phi_226_ = _e129;
     } else {
-        phi_205_ = 0u;
+        phi_226_ = 4294967295u;
     }
-    let _e121 = phi_205_;
-    let _e127 = (_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u)));
-    if (_e127 < _e70) {
-        let _e130 = keys.member[_e127];
-        phi_227_ = _e130;
+    let _e131 = phi_226_;
+    let _e137 = (_e88 + ((((_e63 / 32u) * 320u) + 128u) + (_e63 % 32u)));
+    if (_e137 < _e80) {
+        let _e140 = keys.member[_e137];
+        phi_248_ = _e140;
     } else {
-        phi_227_ = 0u;
+        phi_248_ = 4294967295u;
     }
-    let _e132 = phi_227_;
-    let _e138 = (_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u)));
-    if (_e138 < _e70) {
-        let _e141 = keys.member[_e138];
-        phi_249_ = _e141;
+    let _e142 = phi_248_;
+    let _e148 = (_e88 + ((((_e63 / 32u) * 320u) + 160u) + (_e63 % 32u)));
+    if (_e148 < _e80) {
+        let _e151 = keys.member[_e148];
+        phi_270_ = _e151;
     } else {
-        phi_249_ = 0u;
+        phi_270_ = 4294967295u;
     }
-    let _e143 = phi_249_;
-    let _e149 = (_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u)));
-    if (_e149 < _e70) {
-        let _e152 = keys.member[_e149];
-        phi_271_ = _e152;
+    let _e153 = phi_270_;
+    let _e159 = (_e88 + ((((_e63 / 32u) * 320u) + 192u) + (_e63 % 32u)));
+    if (_e159 < _e80) {
+        let _e162 = keys.member[_e159];
+        phi_292_ = _e162;
     } else {
-        phi_271_ = 0u;
+        phi_292_ = 4294967295u;
     }
-    let _e154 = phi_271_;
-    let _e160 = (_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u)));
-    if (_e160 < _e70) {
-        let _e163 = keys.member[_e160];
-        phi_293_ = _e163;
+    let _e164 = phi_292_;
+    let _e170 = (_e88 + ((((_e63 / 32u) * 320u) + 224u) + (_e63 % 32u)));
+    if (_e170 < _e80) {
+        let _e173 = keys.member[_e170];
+        phi_314_ = _e173;
     } else {
-        phi_293_ = 0u;
+        phi_314_ = 4294967295u;
     }
-    let _e165 = phi_293_;
-    phi_297_ = type_9(0u, 8u);
+    let _e175 = phi_314_;
+    let _e181 = (_e88 + ((((_e63 / 32u) * 320u) + 256u) + (_e63 % 32u)));
+    if (_e181 < _e80) {
+        let _e184 = keys.member[_e181];
+        phi_336_ = _e184;
+    } else {
+        phi_336_ = 4294967295u;
+    }
+    let _e186 = phi_336_;
+    let _e192 = (_e88 + ((((_e63 / 32u) * 320u) + 288u) + (_e63 % 32u)));
+    if (_e192 < _e80) {
+        let _e195 = keys.member[_e192];
+        phi_358_ = _e195;
+    } else {
+        phi_358_ = 4294967295u;
+    }
+    let _e197 = phi_358_;
+    if (_e63 < 256u) {
+        let _e203 = atomicLoad((&table.member[(((_e77 / 8u) * 256u) + _e63)]));
+        phi_376_ = _e203;
+    } else {
+        phi_376_ = 0u;
+    }
+    let _e205 = phi_376_;
+    phi_379_ = type_9(0u, 4u);
     loop {
-        let _e168 = phi_297_;
-        let _e171 = (_e168.member < _e168.member_1);
-        let _e184 = (bitcast<i32>(select(0u, 1u, _e171)) != 0i);
-        if _e184 {
-            atomicStore((&words[((select(type_9().member_1, _e168.member, _e171) * 256u) + _e53)]), 0u);
+        let _e207 = phi_379_;
+        let _e210 = (_e207.member < _e207.member_1);
+        let _e223 = (bitcast<i32>(select(0u, 1u, _e210)) != 0i);
+        if _e223 {
+            atomicStore((&counts[((select(type_9().member_1, _e207.member, _e210) * 256u) + _e63)]), 0u);
         }
         continue;
         continuing {
-            phi_297_ = type_9(select(_e168.member, (_e168.member + 1u), _e171), select(_e168.member_1, _e168.member_1, _e171));
-            break if !(_e184);
+            phi_379_ = type_9(select(_e207.member, (_e207.member + 1u), _e210), select(_e207.member_1, _e207.member_1, _e210));
+            break if !(_e223);
         }
     }
-    phi_334_ = type_9(0u, 4u);
+    phi_416_ = type_9(0u, 8u);
     loop {
-        let _e190 = phi_334_;
-        let _e193 = (_e190.member < _e190.member_1);
-        let _e206 = (bitcast<i32>(select(0u, 1u, _e193)) != 0i);
-        if _e206 {
-            atomicStore((&counts[((select(type_9().member_1, _e190.member, _e193) * 256u) + _e53)]), 0u);
+        let _e229 = phi_416_;
+        let _e232 = (_e229.member < _e229.member_1);
+        let _e245 = (bitcast<i32>(select(0u, 1u, _e232)) != 0i);
+        if _e245 {
+            atomicStore((&words[((select(type_9().member_1, _e229.member, _e232) * 256u) + _e63)]), 0u);
         }
         continue;
         continuing {
-            phi_334_ = type_9(select(_e190.member, (_e190.member + 1u), _e193), select(_e190.member_1, _e190.member_1, _e193));
-            break if !(_e206);
+            phi_416_ = type_9(select(_e229.member, (_e229.member + 1u), _e232), select(_e229.member_1, _e229.member_1, _e232));
+            break if !(_e245);
         }
     }
-    if (_e53 == 0u) {
+    if (_e63 == 0u) {
         atomicStore((&lowest[0u]), 4294967295u);
     }
     workgroupBarrier();
-    let _e218 = ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70);
-    let _e222 = ((_e88 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e225 = (((_e53 / 32u) * 256u) + _e222);
-    if _e218 {
-        let _e231 = atomicOr((&words[_e225]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
+    let _e255 = ((_e98 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e258 = (((_e63 / 32u) * 256u) + _e255);
+    let _e264 = atomicOr((&words[_e258]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
+    workgroupBarrier();
+    let _e266 = atomicLoad((&words[_e258]));
+    let _e273 = countOneBits((_e266 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e276 = atomicLoad((&counts[(_e258 / 2u)]));
+    workgroupBarrier();
+    if (_e273 == 0u) {
+        let _e293 = atomicAdd((&counts[(_e258 / 2u)]), (countOneBits(_e266) << bitcast<u32>(((16u * (_e255 % 2u)) & 31u))));
+        atomicStore((&words[_e258]), 0u);
     }
     workgroupBarrier();
-    let _e233 = atomicLoad((&words[_e225]));
-    let _e240 = countOneBits((_e233 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e243 = atomicLoad((&counts[(_e225 / 2u)]));
-    let _e250 = (((_e243 >> bitcast<u32>(((16u * (_e222 % 2u)) & 31u))) & 65535u) + _e240);
+    let _e299 = ((_e109 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e302 = (((_e63 / 32u) * 256u) + _e299);
+    let _e308 = atomicOr((&words[_e302]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
     workgroupBarrier();
-    if _e218 {
-        if (_e240 == 0u) {
-            let _e260 = atomicAdd((&counts[(_e225 / 2u)]), (countOneBits(_e233) << bitcast<u32>(((16u * (_e222 % 2u)) & 31u))));
-            atomicStore((&words[_e225]), 0u);
-        }
+    let _e310 = atomicLoad((&words[_e302]));
+    let _e317 = countOneBits((_e310 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e320 = atomicLoad((&counts[(_e302 / 2u)]));
+    workgroupBarrier();
+    if (_e317 == 0u) {
+        let _e337 = atomicAdd((&counts[(_e302 / 2u)]), (countOneBits(_e310) << bitcast<u32>(((16u * (_e299 % 2u)) & 31u))));
+        atomicStore((&words[_e302]), 0u);
     }
     workgroupBarrier();
-    let _e268 = ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70);
-    let _e272 = ((_e99 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e275 = (((_e53 / 32u) * 256u) + _e272);
-    if _e268 {
-        let _e281 = atomicOr((&words[_e275]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
+    let _e345 = ((_e120 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e348 = (((_e63 / 32u) * 256u) + _e345);
+    let _e354 = atomicOr((&words[_e348]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
+    workgroupBarrier();
+    let _e356 = atomicLoad((&words[_e348]));
+    let _e363 = countOneBits((_e356 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e366 = atomicLoad((&counts[(_e348 / 2u)]));
+    workgroupBarrier();
+    if (_e363 == 0u) {
+        let _e383 = atomicAdd((&counts[(_e348 / 2u)]), (countOneBits(_e356) << bitcast<u32>(((16u * (_e345 % 2u)) & 31u))));
+        atomicStore((&words[_e348]), 0u);
     }
     workgroupBarrier();
-    let _e283 = atomicLoad((&words[_e275]));
-    let _e290 = countOneBits((_e283 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e293 = atomicLoad((&counts[(_e275 / 2u)]));
-    let _e300 = (((_e293 >> bitcast<u32>(((16u * (_e272 % 2u)) & 31u))) & 65535u) + _e290);
+    let _e389 = ((_e131 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e392 = (((_e63 / 32u) * 256u) + _e389);
+    let _e398 = atomicOr((&words[_e392]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
     workgroupBarrier();
-    if _e268 {
-        if (_e290 == 0u) {
-            let _e310 = atomicAdd((&counts[(_e275 / 2u)]), (countOneBits(_e283) << bitcast<u32>(((16u * (_e272 % 2u)) & 31u))));
-            atomicStore((&words[_e275]), 0u);
-        }
+    let _e400 = atomicLoad((&words[_e392]));
+    let _e407 = countOneBits((_e400 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e410 = atomicLoad((&counts[(_e392 / 2u)]));
+    workgroupBarrier();
+    if (_e407 == 0u) {
+        let _e427 = atomicAdd((&counts[(_e392 / 2u)]), (countOneBits(_e400) << bitcast<u32>(((16u * (_e389 % 2u)) & 31u))));
+        atomicStore((&words[_e392]), 0u);
     }
     workgroupBarrier();
-    let _e318 = ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70);
-    let _e322 = ((_e110 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e325 = (((_e53 / 32u) * 256u) + _e322);
-    if _e318 {
-        let _e331 = atomicOr((&words[_e325]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
+    let _e435 = ((_e142 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e438 = (((_e63 / 32u) * 256u) + _e435);
+    let _e444 = atomicOr((&words[_e438]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
+    workgroupBarrier();
+    let _e446 = atomicLoad((&words[_e438]));
+    let _e453 = countOneBits((_e446 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e456 = atomicLoad((&counts[(_e438 / 2u)]));
+    workgroupBarrier();
+    if (_e453 == 0u) {
+        let _e473 = atomicAdd((&counts[(_e438 / 2u)]), (countOneBits(_e446) << bitcast<u32>(((16u * (_e435 % 2u)) & 31u))));
+        atomicStore((&words[_e438]), 0u);
     }
     workgroupBarrier();
-    let _e333 = atomicLoad((&words[_e325]));
-    let _e340 = countOneBits((_e333 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e343 = atomicLoad((&counts[(_e325 / 2u)]));
-    let _e350 = (((_e343 >> bitcast<u32>(((16u * (_e322 % 2u)) & 31u))) & 65535u) + _e340);
+    let _e479 = ((_e153 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e482 = (((_e63 / 32u) * 256u) + _e479);
+    let _e488 = atomicOr((&words[_e482]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
     workgroupBarrier();
-    if _e318 {
-        if (_e340 == 0u) {
-            let _e360 = atomicAdd((&counts[(_e325 / 2u)]), (countOneBits(_e333) << bitcast<u32>(((16u * (_e322 % 2u)) & 31u))));
-            atomicStore((&words[_e325]), 0u);
-        }
+    let _e490 = atomicLoad((&words[_e482]));
+    let _e497 = countOneBits((_e490 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e500 = atomicLoad((&counts[(_e482 / 2u)]));
+    workgroupBarrier();
+    if (_e497 == 0u) {
+        let _e517 = atomicAdd((&counts[(_e482 / 2u)]), (countOneBits(_e490) << bitcast<u32>(((16u * (_e479 % 2u)) & 31u))));
+        atomicStore((&words[_e482]), 0u);
     }
     workgroupBarrier();
-    let _e368 = ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70);
-    let _e372 = ((_e121 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e375 = (((_e53 / 32u) * 256u) + _e372);
-    if _e368 {
-        let _e381 = atomicOr((&words[_e375]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
+    let _e525 = ((_e164 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e528 = (((_e63 / 32u) * 256u) + _e525);
+    let _e534 = atomicOr((&words[_e528]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
+    workgroupBarrier();
+    let _e536 = atomicLoad((&words[_e528]));
+    let _e543 = countOneBits((_e536 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e546 = atomicLoad((&counts[(_e528 / 2u)]));
+    workgroupBarrier();
+    if (_e543 == 0u) {
+        let _e563 = atomicAdd((&counts[(_e528 / 2u)]), (countOneBits(_e536) << bitcast<u32>(((16u * (_e525 % 2u)) & 31u))));
+        atomicStore((&words[_e528]), 0u);
     }
     workgroupBarrier();
-    let _e383 = atomicLoad((&words[_e375]));
-    let _e390 = countOneBits((_e383 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e393 = atomicLoad((&counts[(_e375 / 2u)]));
-    let _e400 = (((_e393 >> bitcast<u32>(((16u * (_e372 % 2u)) & 31u))) & 65535u) + _e390);
+    let _e569 = ((_e175 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e572 = (((_e63 / 32u) * 256u) + _e569);
+    let _e578 = atomicOr((&words[_e572]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
     workgroupBarrier();
-    if _e368 {
-        if (_e390 == 0u) {
-            let _e410 = atomicAdd((&counts[(_e375 / 2u)]), (countOneBits(_e383) << bitcast<u32>(((16u * (_e372 % 2u)) & 31u))));
-            atomicStore((&words[_e375]), 0u);
-        }
+    let _e580 = atomicLoad((&words[_e572]));
+    let _e587 = countOneBits((_e580 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e590 = atomicLoad((&counts[(_e572 / 2u)]));
+    workgroupBarrier();
+    if (_e587 == 0u) {
+        let _e607 = atomicAdd((&counts[(_e572 / 2u)]), (countOneBits(_e580) << bitcast<u32>(((16u * (_e569 % 2u)) & 31u))));
+        atomicStore((&words[_e572]), 0u);
     }
     workgroupBarrier();
-    let _e418 = ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70);
-    let _e422 = ((_e132 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e425 = (((_e53 / 32u) * 256u) + _e422);
-    if _e418 {
-        let _e431 = atomicOr((&words[_e425]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
+    let _e615 = ((_e186 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e618 = (((_e63 / 32u) * 256u) + _e615);
+    let _e624 = atomicOr((&words[_e618]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
+    workgroupBarrier();
+    let _e626 = atomicLoad((&words[_e618]));
+    let _e633 = countOneBits((_e626 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e636 = atomicLoad((&counts[(_e618 / 2u)]));
+    workgroupBarrier();
+    if (_e633 == 0u) {
+        let _e653 = atomicAdd((&counts[(_e618 / 2u)]), (countOneBits(_e626) << bitcast<u32>(((16u * (_e615 % 2u)) & 31u))));
+        atomicStore((&words[_e618]), 0u);
     }
     workgroupBarrier();
-    let _e433 = atomicLoad((&words[_e425]));
-    let _e440 = countOneBits((_e433 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e443 = atomicLoad((&counts[(_e425 / 2u)]));
-    let _e450 = (((_e443 >> bitcast<u32>(((16u * (_e422 % 2u)) & 31u))) & 65535u) + _e440);
+    let _e659 = ((_e197 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e662 = (((_e63 / 32u) * 256u) + _e659);
+    let _e668 = atomicOr((&words[_e662]), (1u << bitcast<u32>(((_e63 % 32u) & 31u))));
     workgroupBarrier();
-    if _e418 {
-        if (_e440 == 0u) {
-            let _e460 = atomicAdd((&counts[(_e425 / 2u)]), (countOneBits(_e433) << bitcast<u32>(((16u * (_e422 % 2u)) & 31u))));
-            atomicStore((&words[_e425]), 0u);
-        }
-    }
+    let _e670 = atomicLoad((&words[_e662]));
+    let _e677 = countOneBits((_e670 & ((1u << bitcast<u32>(((_e63 % 32u) & 31u))) - 1u)));
+    let _e680 = atomicLoad((&counts[(_e662 / 2u)]));
     workgroupBarrier();
-    let _e468 = ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70);
-    let _e472 = ((_e143 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e475 = (((_e53 / 32u) * 256u) + _e472);
-    if _e468 {
-        let _e481 = atomicOr((&words[_e475]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e483 = atomicLoad((&words[_e475]));
-    let _e490 = countOneBits((_e483 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e493 = atomicLoad((&counts[(_e475 / 2u)]));
-    let _e500 = (((_e493 >> bitcast<u32>(((16u * (_e472 % 2u)) & 31u))) & 65535u) + _e490);
-    workgroupBarrier();
-    if _e468 {
-        if (_e490 == 0u) {
-            let _e510 = atomicAdd((&counts[(_e475 / 2u)]), (countOneBits(_e483) << bitcast<u32>(((16u * (_e472 % 2u)) & 31u))));
-            atomicStore((&words[_e475]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e518 = ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70);
-    let _e522 = ((_e154 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e525 = (((_e53 / 32u) * 256u) + _e522);
-    if _e518 {
-        let _e531 = atomicOr((&words[_e525]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e533 = atomicLoad((&words[_e525]));
-    let _e540 = countOneBits((_e533 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e543 = atomicLoad((&counts[(_e525 / 2u)]));
-    let _e550 = (((_e543 >> bitcast<u32>(((16u * (_e522 % 2u)) & 31u))) & 65535u) + _e540);
-    workgroupBarrier();
-    if _e518 {
-        if (_e540 == 0u) {
-            let _e560 = atomicAdd((&counts[(_e525 / 2u)]), (countOneBits(_e533) << bitcast<u32>(((16u * (_e522 % 2u)) & 31u))));
-            atomicStore((&words[_e525]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e568 = ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70);
-    let _e572 = ((_e165 >> bitcast<u32>((_e67 & 31u))) & 255u);
-    let _e575 = (((_e53 / 32u) * 256u) + _e572);
-    if _e568 {
-        let _e581 = atomicOr((&words[_e575]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e583 = atomicLoad((&words[_e575]));
-    let _e590 = countOneBits((_e583 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
-    let _e593 = atomicLoad((&counts[(_e575 / 2u)]));
-    let _e600 = (((_e593 >> bitcast<u32>(((16u * (_e572 % 2u)) & 31u))) & 65535u) + _e590);
-    workgroupBarrier();
-    if _e568 {
-        if (_e590 == 0u) {
-            let _e610 = atomicAdd((&counts[(_e575 / 2u)]), (countOneBits(_e583) << bitcast<u32>(((16u * (_e572 % 2u)) & 31u))));
-            atomicStore((&words[_e575]), 0u);
-        }
+    if (_e677 == 0u) {
+        let _e697 = atomicAdd((&counts[(_e662 / 2u)]), (countOneBits(_e670) << bitcast<u32>(((16u * (_e659 % 2u)) & 31u))));
+        atomicStore((&words[_e662]), 0u);
     }
     workgroupBarrier();
     workgroupBarrier();
-    if (_e53 < 128u) {
-        phi_829_ = type_9(0u, 8u);
-        phi_832_ = 0u;
+    let _e704 = select(false, (_e87 < _e83), (_e63 < 256u));
+    let _e706 = ((_e77 / 8u) % 2u);
+    let _e710 = (((4u + (_e706 * _e83)) * 256u) + _e63);
+    if (_e63 < 128u) {
+        phi_987_ = type_9(0u, 8u);
+        phi_990_ = 0u;
         loop {
-            let _e615 = phi_829_;
-            let _e617 = phi_832_;
-            local = _e617;
-            let _e620 = (_e615.member < _e615.member_1);
-            let _e633 = (bitcast<i32>(select(0u, 1u, _e620)) != 0i);
-            if _e633 {
-                let _e635 = ((select(type_9().member_1, _e615.member, _e620) * 128u) + _e53);
-                let _e637 = atomicLoad((&counts[_e635]));
-                atomicStore((&counts[_e635]), _e617);
-                phi_833_ = (_e617 + _e637);
+            let _e713 = phi_987_;
+            let _e715 = phi_990_;
+            local = _e715;
+            let _e718 = (_e713.member < _e713.member_1);
+            let _e731 = (bitcast<i32>(select(0u, 1u, _e718)) != 0i);
+            if _e731 {
+                let _e733 = ((select(type_9().member_1, _e713.member, _e718) * 128u) + _e63);
+                let _e735 = atomicLoad((&counts[_e733]));
+                atomicStore((&counts[_e733]), _e715);
+                phi_991_ = (_e715 + _e735);
             } else {
-                phi_833_ = u32();
+                phi_991_ = u32();
             }
-            let _e641 = phi_833_;
+            let _e739 = phi_991_;
             continue;
             continuing {
-                phi_829_ = type_9(select(_e615.member, (_e615.member + 1u), _e620), select(_e615.member_1, _e615.member_1, _e620));
-                phi_832_ = _e641;
-                break if !(_e633);
+                phi_987_ = type_9(select(_e713.member, (_e713.member + 1u), _e718), select(_e713.member_1, _e713.member_1, _e718));
+                phi_990_ = _e739;
+                break if !(_e731);
             }
         }
-        phi_871_ = type_9(0u, 2u);
+        phi_1029_ = type_9(0u, 2u);
         loop {
-            let _e644 = phi_871_;
-            let _e647 = (_e644.member < _e644.member_1);
-            let _e658 = select(type_9().member_1, _e644.member, _e647);
-            let _e660 = (bitcast<i32>(select(0u, 1u, _e647)) != 0i);
-            if _e660 {
-                let _e667 = local;
-                atomicStore((&digits[((2u * _e53) + _e658)]), ((_e667 >> bitcast<u32>(((16u * (_e658 % 2u)) & 31u))) & 65535u));
+            let _e742 = phi_1029_;
+            let _e745 = (_e742.member < _e742.member_1);
+            let _e756 = select(type_9().member_1, _e742.member, _e745);
+            let _e758 = (bitcast<i32>(select(0u, 1u, _e745)) != 0i);
+            if _e758 {
+                let _e765 = local;
+                atomicStore((&digits[((2u * _e63) + _e756)]), ((_e765 >> bitcast<u32>(((16u * (_e756 % 2u)) & 31u))) & 65535u));
             }
             continue;
             continuing {
-                phi_871_ = type_9(select(_e644.member, (_e644.member + 1u), _e647), select(_e644.member_1, _e644.member_1, _e647));
-                break if !(_e660);
+                phi_1029_ = type_9(select(_e742.member, (_e742.member + 1u), _e745), select(_e742.member_1, _e742.member_1, _e745));
+                break if !(_e758);
             }
         }
     }
     workgroupBarrier();
-    let _e675 = select(false, (_e77 < _e73), (_e53 < 256u));
-    let _e677 = ((_e67 / 8u) % 2u);
-    let _e681 = (((4u + (_e677 * _e73)) * 256u) + _e53);
-    if _e675 {
-        let _e683 = atomicLoad((&digits[_e53]));
-        let _e688 = atomicLoad((&table.member[(((_e67 / 8u) * 256u) + _e53)]));
-        atomicStore((&table.member[(_e681 + (_e77 * 256u))]), (select(1073741824u, 2147483648u, (_e77 == 0u)) | _e683));
-        atomicStore((&table.member[((256u * ((4u + ((1u - _e677) * _e73)) + _e77)) + _e53)]), 0u);
-        phi_960_ = _e688;
-        phi_961_ = _e683;
-    } else {
-        phi_960_ = 0u;
-        phi_961_ = 0u;
+    let _e772 = atomicLoad((&digits[_e63]));
+    if _e704 {
+        atomicStore((&table.member[(_e710 + (_e87 * 256u))]), (select(1073741824u, 2147483648u, (_e87 == 0u)) | _e772));
+        atomicStore((&table.member[((256u * ((4u + ((1u - _e706) * _e83)) + _e87)) + _e63)]), 0u);
     }
-    let _e703 = phi_960_;
-    let _e705 = phi_961_;
-    atomicStore((&words[_e53]), _e705);
-    phi_965_ = type_9(0u, 8u);
-    phi_968_ = 0u;
-    phi_970_ = 1u;
-    phi_972_ = _e705;
-    phi_969_ = 256u;
+    atomicStore((&words[_e63]), _e772);
+    phi_1096_ = type_9(0u, 8u);
+    phi_1099_ = 0u;
+    phi_1101_ = 1u;
+    phi_1103_ = _e772;
+    phi_1100_ = 256u;
     loop {
-        let _e708 = phi_965_;
-        let _e710 = phi_968_;
-        let _e712 = phi_970_;
-        let _e714 = phi_972_;
-        let _e716 = phi_969_;
-        local_1 = _e714;
-        let _e719 = (_e708.member < _e708.member_1);
-        let _e730 = (bitcast<i32>(select(0u, 1u, _e719)) != 0i);
-        if _e730 {
+        let _e788 = phi_1096_;
+        let _e790 = phi_1099_;
+        let _e792 = phi_1101_;
+        let _e794 = phi_1103_;
+        let _e796 = phi_1100_;
+        local_1 = _e794;
+        let _e799 = (_e788.member < _e788.member_1);
+        let _e810 = (bitcast<i32>(select(0u, 1u, _e799)) != 0i);
+        if _e810 {
             workgroupBarrier();
-            if (_e53 >= _e712) {
-                let _e735 = atomicLoad((&words[((_e710 + _e53) - _e712)]));
-                phi_1011_ = (_e714 + _e735);
+            if (_e63 >= _e792) {
+                let _e815 = atomicLoad((&words[((_e790 + _e63) - _e792)]));
+                phi_1142_ = (_e794 + _e815);
             } else {
-                phi_1011_ = _e714;
+                phi_1142_ = _e794;
             }
-            let _e738 = phi_1011_;
-            atomicStore((&words[(_e716 + _e53)]), _e738);
-            phi_971_ = (_e712 * 2u);
-            phi_973_ = _e738;
+            let _e818 = phi_1142_;
+            atomicStore((&words[(_e796 + _e63)]), _e818);
+            phi_1102_ = (_e792 * 2u);
+            phi_1104_ = _e818;
         } else {
-            phi_971_ = u32();
-            phi_973_ = u32();
+            phi_1102_ = u32();
+            phi_1104_ = u32();
         }
-        let _e743 = phi_971_;
-        let _e745 = phi_973_;
+        let _e823 = phi_1102_;
+        let _e825 = phi_1104_;
         continue;
         continuing {
-            phi_965_ = type_9(select(_e708.member, (_e708.member + 1u), _e719), select(_e708.member_1, _e708.member_1, _e719));
-            phi_968_ = _e716;
-            phi_970_ = _e743;
-            phi_972_ = _e745;
-            phi_969_ = _e710;
-            break if !(_e730);
+            phi_1096_ = type_9(select(_e788.member, (_e788.member + 1u), _e799), select(_e788.member_1, _e788.member_1, _e799));
+            phi_1099_ = _e796;
+            phi_1101_ = _e823;
+            phi_1103_ = _e825;
+            phi_1100_ = _e790;
+            break if !(_e810);
         }
     }
     workgroupBarrier();
-    atomicStore((&words[_e53]), _e703);
-    phi_1018_ = type_9(0u, 8u);
-    phi_1021_ = 0u;
-    phi_1023_ = 1u;
-    phi_1025_ = _e703;
-    phi_1022_ = 256u;
+    atomicStore((&words[_e63]), _e205);
+    phi_1149_ = type_9(0u, 8u);
+    phi_1152_ = 0u;
+    phi_1154_ = 1u;
+    phi_1156_ = _e205;
+    phi_1153_ = 256u;
     loop {
-        let _e749 = phi_1018_;
-        let _e751 = phi_1021_;
-        let _e753 = phi_1023_;
-        let _e755 = phi_1025_;
-        let _e757 = phi_1022_;
-        local_7 = _e755;
-        let _e760 = (_e749.member < _e749.member_1);
-        let _e771 = (bitcast<i32>(select(0u, 1u, _e760)) != 0i);
-        if _e771 {
+        let _e829 = phi_1149_;
+        let _e831 = phi_1152_;
+        let _e833 = phi_1154_;
+        let _e835 = phi_1156_;
+        let _e837 = phi_1153_;
+        local_5 = _e835;
+        let _e840 = (_e829.member < _e829.member_1);
+        let _e851 = (bitcast<i32>(select(0u, 1u, _e840)) != 0i);
+        if _e851 {
             workgroupBarrier();
-            if (_e53 >= _e753) {
-                let _e776 = atomicLoad((&words[((_e751 + _e53) - _e753)]));
-                phi_1064_ = (_e755 + _e776);
+            if (_e63 >= _e833) {
+                let _e856 = atomicLoad((&words[((_e831 + _e63) - _e833)]));
+                phi_1195_ = (_e835 + _e856);
             } else {
-                phi_1064_ = _e755;
+                phi_1195_ = _e835;
             }
-            let _e779 = phi_1064_;
-            atomicStore((&words[(_e757 + _e53)]), _e779);
-            phi_1024_ = (_e753 * 2u);
-            phi_1026_ = _e779;
+            let _e859 = phi_1195_;
+            atomicStore((&words[(_e837 + _e63)]), _e859);
+            phi_1155_ = (_e833 * 2u);
+            phi_1157_ = _e859;
         } else {
-            phi_1024_ = u32();
-            phi_1026_ = u32();
+            phi_1155_ = u32();
+            phi_1157_ = u32();
         }
-        let _e784 = phi_1024_;
-        let _e786 = phi_1026_;
+        let _e864 = phi_1155_;
+        let _e866 = phi_1157_;
         continue;
         continuing {
-            phi_1018_ = type_9(select(_e749.member, (_e749.member + 1u), _e760), select(_e749.member_1, _e749.member_1, _e760));
-            phi_1021_ = _e757;
-            phi_1023_ = _e784;
-            phi_1025_ = _e786;
-            phi_1022_ = _e751;
-            break if !(_e771);
+            phi_1149_ = type_9(select(_e829.member, (_e829.member + 1u), _e840), select(_e829.member_1, _e829.member_1, _e840));
+            phi_1152_ = _e837;
+            phi_1154_ = _e864;
+            phi_1156_ = _e866;
+            phi_1153_ = _e831;
+            break if !(_e851);
         }
     }
     workgroupBarrier();
-    let _e789 = local_1;
-    let _e790 = (_e789 - _e705);
-    if (_e53 < 256u) {
-        atomicStore((&digits[_e53]), _e790);
+    let _e869 = local_1;
+    let _e870 = (_e869 - _e772);
+    if (_e63 < 256u) {
+        atomicStore((&digits[_e63]), _e870);
     }
     workgroupBarrier();
-    if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
-        let _e802 = ((_e88 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e808 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e802) / 2u)]));
-        let _e816 = atomicLoad((&digits[_e802]));
-        phi_1104_ = array<u32, 8>((_e250 + (((_e808 >> bitcast<u32>(((16u * (_e802 % 2u)) & 31u))) & 65535u) + _e816)), _e300, _e350, _e400, _e450, _e500, _e550, _e600);
-    } else {
-        phi_1104_ = array<u32, 8>(_e250, _e300, _e350, _e400, _e450, _e500, _e550, _e600);
-    }
-    let _e821 = phi_1104_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
-        let _e832 = ((_e99 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e838 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e832) / 2u)]));
-        let _e846 = atomicLoad((&digits[_e832]));
-        phi_1136_ = array<u32, 8>(_e821[0], (_e821[1] + (((_e838 >> bitcast<u32>(((16u * (_e832 % 2u)) & 31u))) & 65535u) + _e846)), _e821[2], _e821[3], _e821[4], _e821[5], _e821[6], _e821[7]);
-    } else {
-        phi_1136_ = _e821;
-    }
-    let _e859 = phi_1136_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
-        let _e870 = ((_e110 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e876 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e870) / 2u)]));
-        let _e884 = atomicLoad((&digits[_e870]));
-        phi_1168_ = array<u32, 8>(_e859[0], _e859[1], (_e859[2] + (((_e876 >> bitcast<u32>(((16u * (_e870 % 2u)) & 31u))) & 65535u) + _e884)), _e859[3], _e859[4], _e859[5], _e859[6], _e859[7]);
-    } else {
-        phi_1168_ = _e859;
-    }
-    let _e897 = phi_1168_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
-        let _e908 = ((_e121 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e914 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e908) / 2u)]));
-        let _e922 = atomicLoad((&digits[_e908]));
-        phi_1200_ = array<u32, 8>(_e897[0], _e897[1], _e897[2], (_e897[3] + (((_e914 >> bitcast<u32>(((16u * (_e908 % 2u)) & 31u))) & 65535u) + _e922)), _e897[4], _e897[5], _e897[6], _e897[7]);
-    } else {
-        phi_1200_ = _e897;
-    }
-    let _e935 = phi_1200_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
-        let _e946 = ((_e132 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e952 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e946) / 2u)]));
-        let _e960 = atomicLoad((&digits[_e946]));
-        phi_1232_ = array<u32, 8>(_e935[0], _e935[1], _e935[2], _e935[3], (_e935[4] + (((_e952 >> bitcast<u32>(((16u * (_e946 % 2u)) & 31u))) & 65535u) + _e960)), _e935[5], _e935[6], _e935[7]);
-    } else {
-        phi_1232_ = _e935;
-    }
-    let _e973 = phi_1232_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
-        let _e984 = ((_e143 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e990 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e984) / 2u)]));
-        let _e998 = atomicLoad((&digits[_e984]));
-        phi_1264_ = array<u32, 8>(_e973[0], _e973[1], _e973[2], _e973[3], _e973[4], (_e973[5] + (((_e990 >> bitcast<u32>(((16u * (_e984 % 2u)) & 31u))) & 65535u) + _e998)), _e973[6], _e973[7]);
-    } else {
-        phi_1264_ = _e973;
-    }
-    let _e1011 = phi_1264_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
-        let _e1022 = ((_e154 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e1028 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e1022) / 2u)]));
-        let _e1036 = atomicLoad((&digits[_e1022]));
-        phi_1296_ = array<u32, 8>(_e1011[0], _e1011[1], _e1011[2], _e1011[3], _e1011[4], _e1011[5], (_e1011[6] + (((_e1028 >> bitcast<u32>(((16u * (_e1022 % 2u)) & 31u))) & 65535u) + _e1036)), _e1011[7]);
-    } else {
-        phi_1296_ = _e1011;
-    }
-    let _e1049 = phi_1296_;
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
-        let _e1060 = ((_e165 >> bitcast<u32>((_e67 & 31u))) & 255u);
-        let _e1066 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e1060) / 2u)]));
-        let _e1074 = atomicLoad((&digits[_e1060]));
-        phi_1328_ = array<u32, 8>(_e1049[0], _e1049[1], _e1049[2], _e1049[3], _e1049[4], _e1049[5], _e1049[6], (_e1049[7] + (((_e1066 >> bitcast<u32>(((16u * (_e1060 % 2u)) & 31u))) & 65535u) + _e1074)));
-    } else {
-        phi_1328_ = _e1049;
-    }
-    let _e1087 = phi_1328_;
+    let _e876 = ((_e98 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e882 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e876) / 2u)]));
+    let _e890 = atomicLoad((&digits[_e876]));
+    let _e897 = ((_e109 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e903 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e897) / 2u)]));
+    let _e911 = atomicLoad((&digits[_e897]));
+    let _e915 = (((bitcast<u32>((((_e276 >> bitcast<u32>(((16u * (_e255 % 2u)) & 31u))) & 65535u) + _e273)) | ((((_e320 >> bitcast<u32>(((16u * (_e299 % 2u)) & 31u))) & 65535u) + _e317) << bitcast<u32>(16i))) + bitcast<u32>((((_e882 >> bitcast<u32>(((16u * (_e876 % 2u)) & 31u))) & 65535u) + _e890))) + ((((_e903 >> bitcast<u32>(((16u * (_e897 % 2u)) & 31u))) & 65535u) + _e911) << bitcast<u32>(16i)));
+    let _e919 = ((_e120 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e925 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e919) / 2u)]));
+    let _e933 = atomicLoad((&digits[_e919]));
+    let _e940 = ((_e131 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e946 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e940) / 2u)]));
+    let _e954 = atomicLoad((&digits[_e940]));
+    let _e958 = (((bitcast<u32>((((_e366 >> bitcast<u32>(((16u * (_e345 % 2u)) & 31u))) & 65535u) + _e363)) | ((((_e410 >> bitcast<u32>(((16u * (_e389 % 2u)) & 31u))) & 65535u) + _e407) << bitcast<u32>(16i))) + bitcast<u32>((((_e925 >> bitcast<u32>(((16u * (_e919 % 2u)) & 31u))) & 65535u) + _e933))) + ((((_e946 >> bitcast<u32>(((16u * (_e940 % 2u)) & 31u))) & 65535u) + _e954) << bitcast<u32>(16i)));
+    let _e962 = ((_e142 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e968 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e962) / 2u)]));
+    let _e976 = atomicLoad((&digits[_e962]));
+    let _e983 = ((_e153 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e989 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e983) / 2u)]));
+    let _e997 = atomicLoad((&digits[_e983]));
+    let _e1001 = (((bitcast<u32>((((_e456 >> bitcast<u32>(((16u * (_e435 % 2u)) & 31u))) & 65535u) + _e453)) | ((((_e500 >> bitcast<u32>(((16u * (_e479 % 2u)) & 31u))) & 65535u) + _e497) << bitcast<u32>(16i))) + bitcast<u32>((((_e968 >> bitcast<u32>(((16u * (_e962 % 2u)) & 31u))) & 65535u) + _e976))) + ((((_e989 >> bitcast<u32>(((16u * (_e983 % 2u)) & 31u))) & 65535u) + _e997) << bitcast<u32>(16i)));
+    let _e1005 = ((_e164 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e1011 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e1005) / 2u)]));
+    let _e1019 = atomicLoad((&digits[_e1005]));
+    let _e1026 = ((_e175 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e1032 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e1026) / 2u)]));
+    let _e1040 = atomicLoad((&digits[_e1026]));
+    let _e1044 = (((bitcast<u32>((((_e546 >> bitcast<u32>(((16u * (_e525 % 2u)) & 31u))) & 65535u) + _e543)) | ((((_e590 >> bitcast<u32>(((16u * (_e569 % 2u)) & 31u))) & 65535u) + _e587) << bitcast<u32>(16i))) + bitcast<u32>((((_e1011 >> bitcast<u32>(((16u * (_e1005 % 2u)) & 31u))) & 65535u) + _e1019))) + ((((_e1032 >> bitcast<u32>(((16u * (_e1026 % 2u)) & 31u))) & 65535u) + _e1040) << bitcast<u32>(16i)));
+    let _e1048 = ((_e186 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e1054 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e1048) / 2u)]));
+    let _e1062 = atomicLoad((&digits[_e1048]));
+    let _e1069 = ((_e197 >> bitcast<u32>((_e77 & 31u))) & 255u);
+    let _e1075 = atomicLoad((&counts[((((_e63 / 32u) * 256u) + _e1069) / 2u)]));
+    let _e1083 = atomicLoad((&digits[_e1069]));
+    let _e1087 = (((bitcast<u32>((((_e636 >> bitcast<u32>(((16u * (_e615 % 2u)) & 31u))) & 65535u) + _e633)) | ((((_e680 >> bitcast<u32>(((16u * (_e659 % 2u)) & 31u))) & 65535u) + _e677) << bitcast<u32>(16i))) + bitcast<u32>((((_e1054 >> bitcast<u32>(((16u * (_e1048 % 2u)) & 31u))) & 65535u) + _e1062))) + ((((_e1075 >> bitcast<u32>(((16u * (_e1069 % 2u)) & 31u))) & 65535u) + _e1083) << bitcast<u32>(16i)));
     workgroupBarrier();
-    if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[0]]), _e88);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[1]]), _e99);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[2]]), _e110);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[3]]), _e121);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[4]]), _e132);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[5]]), _e143);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[6]]), _e154);
-    }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[7]]), _e165);
-    }
-    phi_1438_ = select(0u, _e77, _e675);
-    phi_1441_ = 0u;
+    atomicStore((&words[(_e915 & 65535u)]), _e98);
+    atomicStore((&words[((_e915 >> bitcast<u32>(16u)) & 65535u)]), _e109);
+    atomicStore((&words[(_e958 & 65535u)]), _e120);
+    atomicStore((&words[((_e958 >> bitcast<u32>(16u)) & 65535u)]), _e131);
+    atomicStore((&words[(_e1001 & 65535u)]), _e142);
+    atomicStore((&words[((_e1001 >> bitcast<u32>(16u)) & 65535u)]), _e153);
+    atomicStore((&words[(_e1044 & 65535u)]), _e164);
+    atomicStore((&words[((_e1044 >> bitcast<u32>(16u)) & 65535u)]), _e175);
+    atomicStore((&words[(_e1087 & 65535u)]), _e186);
+    atomicStore((&words[((_e1087 >> bitcast<u32>(16u)) & 65535u)]), _e197);
+    let _e1122 = (_e88 + (((_e63 / 32u) * 320u) + (_e63 % 32u)));
+    let _e1123 = (_e80 - 1u);
+    let _e1127 = values.member[select(_e1122, _e1123, (_e1123 < _e1122))];
+    let _e1133 = (_e88 + ((((_e63 / 32u) * 320u) + 32u) + (_e63 % 32u)));
+    let _e1134 = (_e80 - 1u);
+    let _e1138 = values.member[select(_e1133, _e1134, (_e1134 < _e1133))];
+    let _e1144 = (_e88 + ((((_e63 / 32u) * 320u) + 64u) + (_e63 % 32u)));
+    let _e1145 = (_e80 - 1u);
+    let _e1149 = values.member[select(_e1144, _e1145, (_e1145 < _e1144))];
+    let _e1155 = (_e88 + ((((_e63 / 32u) * 320u) + 96u) + (_e63 % 32u)));
+    let _e1156 = (_e80 - 1u);
+    let _e1160 = values.member[select(_e1155, _e1156, (_e1156 < _e1155))];
+    let _e1166 = (_e88 + ((((_e63 / 32u) * 320u) + 128u) + (_e63 % 32u)));
+    let _e1167 = (_e80 - 1u);
+    let _e1171 = values.member[select(_e1166, _e1167, (_e1167 < _e1166))];
+    let _e1177 = (_e88 + ((((_e63 / 32u) * 320u) + 160u) + (_e63 % 32u)));
+    let _e1178 = (_e80 - 1u);
+    let _e1182 = values.member[select(_e1177, _e1178, (_e1178 < _e1177))];
+    let _e1188 = (_e88 + ((((_e63 / 32u) * 320u) + 192u) + (_e63 % 32u)));
+    let _e1189 = (_e80 - 1u);
+    let _e1193 = values.member[select(_e1188, _e1189, (_e1189 < _e1188))];
+    let _e1199 = (_e88 + ((((_e63 / 32u) * 320u) + 224u) + (_e63 % 32u)));
+    let _e1200 = (_e80 - 1u);
+    let _e1204 = values.member[select(_e1199, _e1200, (_e1200 < _e1199))];
+    let _e1210 = (_e88 + ((((_e63 / 32u) * 320u) + 256u) + (_e63 % 32u)));
+    let _e1211 = (_e80 - 1u);
+    let _e1215 = values.member[select(_e1210, _e1211, (_e1211 < _e1210))];
+    let _e1221 = (_e88 + ((((_e63 / 32u) * 320u) + 288u) + (_e63 % 32u)));
+    let _e1222 = (_e80 - 1u);
+    let _e1226 = values.member[select(_e1221, _e1222, (_e1222 < _e1221))];
+    phi_1750_ = select(0u, _e87, _e704);
+    phi_1753_ = 0u;
     loop {
-        let _e1161 = phi_1438_;
-        let _e1163 = phi_1441_;
-        phi_1446_ = 0u;
-        phi_1449_ = 0u;
-        phi_1451_ = _e1161;
+        let _e1229 = phi_1750_;
+        let _e1231 = phi_1753_;
+        phi_1758_ = 0u;
+        phi_1761_ = 0u;
+        phi_1763_ = _e1229;
         loop {
-            let _e1165 = phi_1446_;
-            let _e1167 = phi_1449_;
-            let _e1169 = phi_1451_;
-            local_2 = _e1167;
-            local_3 = _e1169;
-            local_4 = _e1169;
-            local_5 = _e1169;
-            local_9 = _e1169;
-            if (_e1169 > 0u) {
-                let _e1171 = (_e1165 < 256u);
-                if _e1171 {
-                    let _e1172 = (_e1165 + 1u);
-                    let _e1179 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 1u) * 256u), (_e1169 > 0u)))]));
-                    let _e1186 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 2u) * 256u), (_e1169 > 1u)))]));
-                    let _e1193 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 3u) * 256u), (_e1169 > 2u)))]));
-                    let _e1200 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 4u) * 256u), (_e1169 > 3u)))]));
-                    let _e1201 = (_e1179 != 0u);
-                    let _e1202 = (_e1169 > 0u);
-                    let _e1211 = select(_e1172, select(_e1172, 0u, _e1201), _e1202);
-                    let _e1212 = select(_e1167, select(_e1167, (_e1167 + (_e1179 & 1073741823u)), _e1201), _e1202);
-                    let _e1213 = select(_e1169, select(_e1169, select((_e1169 - 1u), 0u, (_e1179 >= 2147483648u)), _e1201), _e1202);
-                    let _e1215 = select(false, (_e1186 != 0u), _e1201);
-                    let _e1216 = (_e1213 > 0u);
-                    let _e1225 = select(_e1211, select(_e1211, 0u, _e1215), _e1216);
-                    let _e1226 = select(_e1212, select(_e1212, (_e1212 + (_e1186 & 1073741823u)), _e1215), _e1216);
-                    let _e1227 = select(_e1213, select(_e1213, select((_e1213 - 1u), 0u, (_e1186 >= 2147483648u)), _e1215), _e1216);
-                    let _e1229 = select(false, (_e1193 != 0u), _e1215);
-                    let _e1230 = (_e1227 > 0u);
-                    let _e1239 = select(_e1225, select(_e1225, 0u, _e1229), _e1230);
-                    let _e1240 = select(_e1226, select(_e1226, (_e1226 + (_e1193 & 1073741823u)), _e1229), _e1230);
-                    let _e1241 = select(_e1227, select(_e1227, select((_e1227 - 1u), 0u, (_e1193 >= 2147483648u)), _e1229), _e1230);
-                    let _e1243 = select(false, (_e1200 != 0u), _e1229);
-                    let _e1244 = (_e1241 > 0u);
-                    phi_1644_ = select(_e1239, select(_e1239, 0u, _e1243), _e1244);
-                    phi_1645_ = select(_e1240, select(_e1240, (_e1240 + (_e1200 & 1073741823u)), _e1243), _e1244);
-                    phi_1646_ = select(_e1241, select(_e1241, select((_e1241 - 1u), 0u, (_e1200 >= 2147483648u)), _e1243), _e1244);
+            let _e1233 = phi_1758_;
+            let _e1235 = phi_1761_;
+            let _e1237 = phi_1763_;
+            local_2 = _e1235;
+            local_3 = _e1237;
+            local_4 = _e1237;
+            local_6 = _e1237;
+            local_7 = _e1237;
+            if (_e1237 > 0u) {
+                let _e1239 = (_e1233 < 256u);
+                if _e1239 {
+                    let _e1240 = (_e1233 + 1u);
+                    let _e1247 = atomicLoad((&table.member[(_e710 + select(0u, ((_e1237 - 1u) * 256u), (_e1237 > 0u)))]));
+                    let _e1254 = atomicLoad((&table.member[(_e710 + select(0u, ((_e1237 - 2u) * 256u), (_e1237 > 1u)))]));
+                    let _e1261 = atomicLoad((&table.member[(_e710 + select(0u, ((_e1237 - 3u) * 256u), (_e1237 > 2u)))]));
+                    let _e1268 = atomicLoad((&table.member[(_e710 + select(0u, ((_e1237 - 4u) * 256u), (_e1237 > 3u)))]));
+                    let _e1269 = (_e1247 != 0u);
+                    let _e1270 = (_e1237 > 0u);
+                    let _e1279 = select(_e1240, select(_e1240, 0u, _e1269), _e1270);
+                    let _e1280 = select(_e1235, select(_e1235, (_e1235 + (_e1247 & 1073741823u)), _e1269), _e1270);
+                    let _e1281 = select(_e1237, select(_e1237, select((_e1237 - 1u), 0u, (_e1247 >= 2147483648u)), _e1269), _e1270);
+                    let _e1283 = select(false, (_e1254 != 0u), _e1269);
+                    let _e1284 = (_e1281 > 0u);
+                    let _e1293 = select(_e1279, select(_e1279, 0u, _e1283), _e1284);
+                    let _e1294 = select(_e1280, select(_e1280, (_e1280 + (_e1254 & 1073741823u)), _e1283), _e1284);
+                    let _e1295 = select(_e1281, select(_e1281, select((_e1281 - 1u), 0u, (_e1254 >= 2147483648u)), _e1283), _e1284);
+                    let _e1297 = select(false, (_e1261 != 0u), _e1283);
+                    let _e1298 = (_e1295 > 0u);
+                    let _e1307 = select(_e1293, select(_e1293, 0u, _e1297), _e1298);
+                    let _e1308 = select(_e1294, select(_e1294, (_e1294 + (_e1261 & 1073741823u)), _e1297), _e1298);
+                    let _e1309 = select(_e1295, select(_e1295, select((_e1295 - 1u), 0u, (_e1261 >= 2147483648u)), _e1297), _e1298);
+                    let _e1311 = select(false, (_e1268 != 0u), _e1297);
+                    let _e1312 = (_e1309 > 0u);
+                    phi_1956_ = select(_e1307, select(_e1307, 0u, _e1311), _e1312);
+                    phi_1957_ = select(_e1308, select(_e1308, (_e1308 + (_e1268 & 1073741823u)), _e1311), _e1312);
+                    phi_1958_ = select(_e1309, select(_e1309, select((_e1309 - 1u), 0u, (_e1268 >= 2147483648u)), _e1311), _e1312);
                 } else {
-                    phi_1644_ = u32();
-                    phi_1645_ = u32();
-                    phi_1646_ = u32();
+                    phi_1956_ = u32();
+                    phi_1957_ = u32();
+                    phi_1958_ = u32();
                 }
-                let _e1257 = phi_1644_;
-                let _e1259 = phi_1645_;
-                let _e1261 = phi_1646_;
-                phi_1447_ = _e1257;
-                phi_1450_ = _e1259;
-                phi_1452_ = _e1261;
-                phi_1647_ = _e1171;
+                let _e1325 = phi_1956_;
+                let _e1327 = phi_1957_;
+                let _e1329 = phi_1958_;
+                phi_1759_ = _e1325;
+                phi_1762_ = _e1327;
+                phi_1764_ = _e1329;
+                phi_1959_ = _e1239;
             } else {
-                phi_1447_ = u32();
-                phi_1450_ = u32();
-                phi_1452_ = u32();
-                phi_1647_ = false;
+                phi_1759_ = u32();
+                phi_1762_ = u32();
+                phi_1764_ = u32();
+                phi_1959_ = false;
             }
-            let _e1263 = phi_1447_;
-            let _e1265 = phi_1450_;
-            let _e1267 = phi_1452_;
-            let _e1269 = phi_1647_;
+            let _e1331 = phi_1759_;
+            let _e1333 = phi_1762_;
+            let _e1335 = phi_1764_;
+            let _e1337 = phi_1959_;
             continue;
             continuing {
-                phi_1446_ = _e1263;
-                phi_1449_ = _e1265;
-                phi_1451_ = _e1267;
-                break if !(_e1269);
+                phi_1758_ = _e1331;
+                phi_1761_ = _e1333;
+                phi_1763_ = _e1335;
+                break if !(_e1337);
             }
         }
-        let _e1272 = local_2;
-        let _e1273 = (_e1163 + _e1272);
-        let _e1275 = local_3;
-        local_6 = _e1273;
-        local_8 = _e1273;
-        if (_e1275 > 0u) {
-            let _e1278 = local_4;
-            let _e1281 = atomicMin((&lowest[0u]), (_e1278 - 1u));
+        let _e1340 = local_2;
+        let _e1341 = (_e1231 + _e1340);
+        let _e1343 = local_3;
+        if (_e1343 > 0u) {
+            let _e1352 = local_4;
+            let _e1355 = atomicMin((&lowest[0u]), (_e1352 - 1u));
+        } else {
+            if _e704 {
+                if (_e87 > 0u) {
+                    atomicStore((&table.member[(_e710 + (_e87 * 256u))]), (2147483648u | (_e1341 + _e772)));
+                }
+            }
+        }
+        if (_e63 < 256u) {
+            let _e1358 = local_5;
+            atomicStore((&digits[_e63]), (((_e1358 - _e205) + _e1341) - _e870));
         }
         workgroupBarrier();
-        if (_e53 == 0u) {
-            let _e1284 = atomicLoad((&lowest[0u]));
-            missing[0u] = _e1284;
+        if (_e63 == 0u) {
+            let _e1365 = atomicLoad((&lowest[0u]));
+            missing[0u] = _e1365;
         }
-        let _e1287 = workgroupUniformLoad((&missing[0u]));
-        if (_e1287 == 4294967295u) {
-            phi_1439_ = u32();
-            phi_1442_ = u32();
-            phi_1837_ = false;
+        let _e1368 = workgroupUniformLoad((&missing[0u]));
+        if (_e1368 == 4294967295u) {
+            phi_1751_ = u32();
+            phi_1754_ = u32();
+            phi_2079_ = false;
         } else {
-            if (_e53 < 256u) {
-                atomicStore((&digits[_e53]), 0u);
-            }
             workgroupBarrier();
-            if (_e53 == 0u) {
+            if (_e63 < 256u) {
+                atomicStore((&digits[_e63]), 0u);
+            }
+            if (_e63 == 0u) {
                 atomicStore((&lowest[0u]), 4294967295u);
             }
-            let _e1296 = keys.member[((_e1287 * 2048u) + _e53)];
-            let _e1302 = atomicAdd((&digits[((_e1296 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1307 = keys.member[(((_e1287 * 2048u) + 256u) + _e53)];
-            let _e1313 = atomicAdd((&digits[((_e1307 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1318 = keys.member[(((_e1287 * 2048u) + 512u) + _e53)];
-            let _e1324 = atomicAdd((&digits[((_e1318 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1329 = keys.member[(((_e1287 * 2048u) + 768u) + _e53)];
-            let _e1335 = atomicAdd((&digits[((_e1329 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1340 = keys.member[(((_e1287 * 2048u) + 1024u) + _e53)];
-            let _e1346 = atomicAdd((&digits[((_e1340 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1351 = keys.member[(((_e1287 * 2048u) + 1280u) + _e53)];
-            let _e1357 = atomicAdd((&digits[((_e1351 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1362 = keys.member[(((_e1287 * 2048u) + 1536u) + _e53)];
-            let _e1368 = atomicAdd((&digits[((_e1362 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
-            let _e1373 = keys.member[(((_e1287 * 2048u) + 1792u) + _e53)];
-            let _e1379 = atomicAdd((&digits[((_e1373 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
             workgroupBarrier();
-            let _e1382 = local_5;
-            if (_e1382 == (_e1287 + 1u)) {
-                let _e1385 = atomicLoad((&digits[_e53]));
-                phi_1835_ = _e1287;
-                phi_1836_ = (_e1273 + _e1385);
-            } else {
-                let _e1864 = local_9;
-                phi_1835_ = _e1864;
-                phi_1836_ = _e1273;
+            phi_2018_ = type_9(0u, 10u);
+            loop {
+                let _e1375 = phi_2018_;
+                let _e1378 = (_e1375.member < _e1375.member_1);
+                let _e1391 = (bitcast<i32>(select(0u, 1u, _e1378)) != 0i);
+                if _e1391 {
+                    let _e1397 = keys.member[(((_e1368 * 2560u) + (select(type_9().member_1, _e1375.member, _e1378) * 256u)) + _e63)];
+                    let _e1403 = atomicAdd((&digits[((_e1397 >> bitcast<u32>((_e77 & 31u))) & 255u)]), 1u);
+                }
+                continue;
+                continuing {
+                    phi_2018_ = type_9(select(_e1375.member, (_e1375.member + 1u), _e1378), select(_e1375.member_1, _e1375.member_1, _e1378));
+                    break if !(_e1391);
+                }
             }
-            let _e1388 = phi_1835_;
-            let _e1390 = phi_1836_;
             workgroupBarrier();
-            phi_1439_ = _e1388;
-            phi_1442_ = _e1390;
-            phi_1837_ = true;
+            let _e1407 = local_6;
+            if (_e1407 == (_e1368 + 1u)) {
+                let _e1410 = atomicLoad((&digits[_e63]));
+                phi_2077_ = _e1368;
+                phi_2078_ = (_e1341 + _e1410);
+            } else {
+                let _e1845 = local_7;
+                phi_2077_ = _e1845;
+                phi_2078_ = _e1341;
+            }
+            let _e1413 = phi_2077_;
+            let _e1415 = phi_2078_;
+            phi_1751_ = _e1413;
+            phi_1754_ = _e1415;
+            phi_2079_ = true;
         }
-        let _e1392 = phi_1439_;
-        let _e1394 = phi_1442_;
-        let _e1396 = phi_1837_;
+        let _e1417 = phi_1751_;
+        let _e1419 = phi_1754_;
+        let _e1421 = phi_2079_;
         continue;
         continuing {
-            phi_1438_ = _e1392;
-            phi_1441_ = _e1394;
-            break if !(_e1396);
+            phi_1750_ = _e1417;
+            phi_1753_ = _e1419;
+            break if !(_e1421);
         }
     }
-    if _e675 {
-        if (_e77 > 0u) {
-            let _e1402 = local_6;
-            atomicStore((&table.member[(_e681 + (_e77 * 256u))]), (2147483648u | (_e1402 + _e705)));
-        }
+    if ((_e88 + _e63) < _e80) {
+        let _e1426 = atomicLoad((&words[_e63]));
+        let _e1430 = ((_e1426 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1436 = atomicLoad((&digits[_e1430]));
+        keys_out.member[(_e1436 + _e63)] = _e1426;
+        phi_2106_ = array<u32, 3>(bitcast<u32>(_e1430), array<u32, 3>(0u, 0u, 0u)[1], array<u32, 3>(0u, 0u, 0u)[2]);
+    } else {
+        phi_2106_ = array<u32, 3>(0u, 0u, 0u);
     }
-    if (_e53 < 256u) {
-        let _e1408 = local_7;
-        let _e1411 = local_8;
-        atomicStore((&digits[_e53]), (((_e1408 - _e703) + _e1411) - _e790));
+    let _e1440 = phi_2106_;
+    let _e1441 = (256u + _e63);
+    if ((_e88 + _e1441) < _e80) {
+        let _e1445 = atomicLoad((&words[_e1441]));
+        let _e1449 = ((_e1445 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1458 = atomicLoad((&digits[_e1449]));
+        keys_out.member[(_e1458 + _e1441)] = _e1445;
+        phi_2133_ = array<u32, 3>((_e1440[0] | (_e1449 << bitcast<u32>(8i))), _e1440[1], _e1440[2]);
+    } else {
+        phi_2133_ = _e1440;
     }
+    let _e1462 = phi_2133_;
+    let _e1463 = (512u + _e63);
+    if ((_e88 + _e1463) < _e80) {
+        let _e1467 = atomicLoad((&words[_e1463]));
+        let _e1471 = ((_e1467 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1480 = atomicLoad((&digits[_e1471]));
+        keys_out.member[(_e1480 + _e1463)] = _e1467;
+        phi_2160_ = array<u32, 3>((_e1462[0] | (_e1471 << bitcast<u32>(16i))), _e1462[1], _e1462[2]);
+    } else {
+        phi_2160_ = _e1462;
+    }
+    let _e1484 = phi_2160_;
+    let _e1485 = (768u + _e63);
+    if ((_e88 + _e1485) < _e80) {
+        let _e1489 = atomicLoad((&words[_e1485]));
+        let _e1493 = ((_e1489 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1502 = atomicLoad((&digits[_e1493]));
+        keys_out.member[(_e1502 + _e1485)] = _e1489;
+        phi_2187_ = array<u32, 3>((_e1484[0] | (_e1493 << bitcast<u32>(24i))), _e1484[1], _e1484[2]);
+    } else {
+        phi_2187_ = _e1484;
+    }
+    let _e1506 = phi_2187_;
+    let _e1507 = (1024u + _e63);
+    if ((_e88 + _e1507) < _e80) {
+        let _e1511 = atomicLoad((&words[_e1507]));
+        let _e1515 = ((_e1511 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1523 = atomicLoad((&digits[_e1515]));
+        keys_out.member[(_e1523 + _e1507)] = _e1511;
+        phi_2214_ = array<u32, 3>(_e1506[0], (_e1506[1] | bitcast<u32>(_e1515)), _e1506[2]);
+    } else {
+        phi_2214_ = _e1506;
+    }
+    let _e1527 = phi_2214_;
+    let _e1528 = (1280u + _e63);
+    if ((_e88 + _e1528) < _e80) {
+        let _e1532 = atomicLoad((&words[_e1528]));
+        let _e1536 = ((_e1532 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1545 = atomicLoad((&digits[_e1536]));
+        keys_out.member[(_e1545 + _e1528)] = _e1532;
+        phi_2241_ = array<u32, 3>(_e1527[0], (_e1527[1] | (_e1536 << bitcast<u32>(8i))), _e1527[2]);
+    } else {
+        phi_2241_ = _e1527;
+    }
+    let _e1549 = phi_2241_;
+    let _e1550 = (1536u + _e63);
+    if ((_e88 + _e1550) < _e80) {
+        let _e1554 = atomicLoad((&words[_e1550]));
+        let _e1558 = ((_e1554 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1567 = atomicLoad((&digits[_e1558]));
+        keys_out.member[(_e1567 + _e1550)] = _e1554;
+        phi_2268_ = array<u32, 3>(_e1549[0], (_e1549[1] | (_e1558 << bitcast<u32>(16i))), _e1549[2]);
+    } else {
+        phi_2268_ = _e1549;
+    }
+    let _e1571 = phi_2268_;
+    let _e1572 = (1792u + _e63);
+    if ((_e88 + _e1572) < _e80) {
+        let _e1576 = atomicLoad((&words[_e1572]));
+        let _e1580 = ((_e1576 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1589 = atomicLoad((&digits[_e1580]));
+        keys_out.member[(_e1589 + _e1572)] = _e1576;
+        phi_2295_ = array<u32, 3>(_e1571[0], (_e1571[1] | (_e1580 << bitcast<u32>(24i))), _e1571[2]);
+    } else {
+        phi_2295_ = _e1571;
+    }
+    let _e1593 = phi_2295_;
+    let _e1594 = (2048u + _e63);
+    if ((_e88 + _e1594) < _e80) {
+        let _e1598 = atomicLoad((&words[_e1594]));
+        let _e1602 = ((_e1598 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1610 = atomicLoad((&digits[_e1602]));
+        keys_out.member[(_e1610 + _e1594)] = _e1598;
+        phi_2322_ = array<u32, 3>(_e1593[0], _e1593[1], (_e1593[2] | bitcast<u32>(_e1602)));
+    } else {
+        phi_2322_ = _e1593;
+    }
+    let _e1614 = phi_2322_;
+    let _e1615 = (2304u + _e63);
+    if ((_e88 + _e1615) < _e80) {
+        let _e1619 = atomicLoad((&words[_e1615]));
+        let _e1623 = ((_e1619 >> bitcast<u32>((_e77 & 31u))) & 255u);
+        let _e1632 = atomicLoad((&digits[_e1623]));
+        keys_out.member[(_e1632 + _e1615)] = _e1619;
+        phi_2349_ = array<u32, 3>(_e1614[0], _e1614[1], (_e1614[2] | (_e1623 << bitcast<u32>(8i))));
+    } else {
+        phi_2349_ = _e1614;
+    }
+    let _e1636 = phi_2349_;
     workgroupBarrier();
-    let _e1419 = (_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u)));
-    if (_e1419 < _e70) {
-        let _e1422 = values.member[_e1419];
-        phi_1880_ = _e1422;
-    } else {
-        phi_1880_ = 0u;
-    }
-    let _e1424 = phi_1880_;
-    let _e1430 = (_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u)));
-    if (_e1430 < _e70) {
-        let _e1433 = values.member[_e1430];
-        phi_1902_ = _e1433;
-    } else {
-        phi_1902_ = 0u;
-    }
-    let _e1435 = phi_1902_;
-    let _e1441 = (_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u)));
-    if (_e1441 < _e70) {
-        let _e1444 = values.member[_e1441];
-        phi_1924_ = _e1444;
-    } else {
-        phi_1924_ = 0u;
-    }
-    let _e1446 = phi_1924_;
-    let _e1452 = (_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u)));
-    if (_e1452 < _e70) {
-        let _e1455 = values.member[_e1452];
-        phi_1946_ = _e1455;
-    } else {
-        phi_1946_ = 0u;
-    }
-    let _e1457 = phi_1946_;
-    let _e1463 = (_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u)));
-    if (_e1463 < _e70) {
-        let _e1466 = values.member[_e1463];
-        phi_1968_ = _e1466;
-    } else {
-        phi_1968_ = 0u;
-    }
-    let _e1468 = phi_1968_;
-    let _e1474 = (_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u)));
-    if (_e1474 < _e70) {
-        let _e1477 = values.member[_e1474];
-        phi_1990_ = _e1477;
-    } else {
-        phi_1990_ = 0u;
-    }
-    let _e1479 = phi_1990_;
-    let _e1485 = (_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u)));
-    if (_e1485 < _e70) {
-        let _e1488 = values.member[_e1485];
-        phi_2012_ = _e1488;
-    } else {
-        phi_2012_ = 0u;
-    }
-    let _e1490 = phi_2012_;
-    let _e1496 = (_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u)));
-    if (_e1496 < _e70) {
-        let _e1499 = values.member[_e1496];
-        phi_2034_ = _e1499;
-    } else {
-        phi_2034_ = 0u;
-    }
-    let _e1501 = phi_2034_;
-    if ((_e78 + _e53) < _e70) {
-        let _e1505 = atomicLoad((&words[_e53]));
-        let _e1511 = atomicLoad((&digits[((_e1505 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1512 = (_e1511 + _e53);
-        keys_out.member[_e1512] = _e1505;
-        phi_2052_ = array<u32, 8>(_e1512, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
-    } else {
-        phi_2052_ = array<u32, 8>(_e88, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
-    }
-    let _e1516 = phi_2052_;
-    let _e1517 = (256u + _e53);
-    if ((_e78 + _e1517) < _e70) {
-        let _e1521 = atomicLoad((&words[_e1517]));
-        let _e1527 = atomicLoad((&digits[((_e1521 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1528 = (_e1527 + _e1517);
-        keys_out.member[_e1528] = _e1521;
-        phi_2070_ = array<u32, 8>(_e1516[0], _e1528, _e1516[2], _e1516[3], _e1516[4], _e1516[5], _e1516[6], _e1516[7]);
-    } else {
-        phi_2070_ = _e1516;
-    }
-    let _e1539 = phi_2070_;
-    let _e1540 = (512u + _e53);
-    if ((_e78 + _e1540) < _e70) {
-        let _e1544 = atomicLoad((&words[_e1540]));
-        let _e1550 = atomicLoad((&digits[((_e1544 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1551 = (_e1550 + _e1540);
-        keys_out.member[_e1551] = _e1544;
-        phi_2088_ = array<u32, 8>(_e1539[0], _e1539[1], _e1551, _e1539[3], _e1539[4], _e1539[5], _e1539[6], _e1539[7]);
-    } else {
-        phi_2088_ = _e1539;
-    }
-    let _e1562 = phi_2088_;
-    let _e1563 = (768u + _e53);
-    if ((_e78 + _e1563) < _e70) {
-        let _e1567 = atomicLoad((&words[_e1563]));
-        let _e1573 = atomicLoad((&digits[((_e1567 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1574 = (_e1573 + _e1563);
-        keys_out.member[_e1574] = _e1567;
-        phi_2106_ = array<u32, 8>(_e1562[0], _e1562[1], _e1562[2], _e1574, _e1562[4], _e1562[5], _e1562[6], _e1562[7]);
-    } else {
-        phi_2106_ = _e1562;
-    }
-    let _e1585 = phi_2106_;
-    let _e1586 = (1024u + _e53);
-    if ((_e78 + _e1586) < _e70) {
-        let _e1590 = atomicLoad((&words[_e1586]));
-        let _e1596 = atomicLoad((&digits[((_e1590 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1597 = (_e1596 + _e1586);
-        keys_out.member[_e1597] = _e1590;
-        phi_2124_ = array<u32, 8>(_e1585[0], _e1585[1], _e1585[2], _e1585[3], _e1597, _e1585[5], _e1585[6], _e1585[7]);
-    } else {
-        phi_2124_ = _e1585;
-    }
-    let _e1608 = phi_2124_;
-    let _e1609 = (1280u + _e53);
-    if ((_e78 + _e1609) < _e70) {
-        let _e1613 = atomicLoad((&words[_e1609]));
-        let _e1619 = atomicLoad((&digits[((_e1613 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1620 = (_e1619 + _e1609);
-        keys_out.member[_e1620] = _e1613;
-        phi_2142_ = array<u32, 8>(_e1608[0], _e1608[1], _e1608[2], _e1608[3], _e1608[4], _e1620, _e1608[6], _e1608[7]);
-    } else {
-        phi_2142_ = _e1608;
-    }
-    let _e1631 = phi_2142_;
-    let _e1632 = (1536u + _e53);
-    if ((_e78 + _e1632) < _e70) {
-        let _e1636 = atomicLoad((&words[_e1632]));
-        let _e1642 = atomicLoad((&digits[((_e1636 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1643 = (_e1642 + _e1632);
-        keys_out.member[_e1643] = _e1636;
-        phi_2160_ = array<u32, 8>(_e1631[0], _e1631[1], _e1631[2], _e1631[3], _e1631[4], _e1631[5], _e1643, _e1631[7]);
-    } else {
-        phi_2160_ = _e1631;
-    }
-    let _e1654 = phi_2160_;
-    let _e1655 = (1792u + _e53);
-    if ((_e78 + _e1655) < _e70) {
-        let _e1659 = atomicLoad((&words[_e1655]));
-        let _e1665 = atomicLoad((&digits[((_e1659 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
-        let _e1666 = (_e1665 + _e1655);
-        keys_out.member[_e1666] = _e1659;
-        phi_2178_ = array<u32, 8>(_e1654[0], _e1654[1], _e1654[2], _e1654[3], _e1654[4], _e1654[5], _e1654[6], _e1666);
-    } else {
-        phi_2178_ = _e1654;
-    }
-    let _e1677 = phi_2178_;
+    atomicStore((&words[(_e915 & 65535u)]), _e1127);
+    atomicStore((&words[((_e915 >> bitcast<u32>(16u)) & 65535u)]), _e1138);
+    atomicStore((&words[(_e958 & 65535u)]), _e1149);
+    atomicStore((&words[((_e958 >> bitcast<u32>(16u)) & 65535u)]), _e1160);
+    atomicStore((&words[(_e1001 & 65535u)]), _e1171);
+    atomicStore((&words[((_e1001 >> bitcast<u32>(16u)) & 65535u)]), _e1182);
+    atomicStore((&words[(_e1044 & 65535u)]), _e1193);
+    atomicStore((&words[((_e1044 >> bitcast<u32>(16u)) & 65535u)]), _e1204);
+    atomicStore((&words[(_e1087 & 65535u)]), _e1215);
+    atomicStore((&words[((_e1087 >> bitcast<u32>(16u)) & 65535u)]), _e1226);
     workgroupBarrier();
-    if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[0]]), _e1424);
+    if ((_e88 + _e63) < _e80) {
+        let _e1672 = atomicLoad((&digits[(_e1636[0] & 255u)]));
+        let _e1675 = atomicLoad((&words[_e63]));
+        values_out.member[(_e1672 + _e63)] = _e1675;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[1]]), _e1435);
+    let _e1677 = (256u + _e63);
+    if ((_e88 + _e1677) < _e80) {
+        let _e1685 = atomicLoad((&digits[((_e1636[0] >> bitcast<u32>(8u)) & 255u)]));
+        let _e1688 = atomicLoad((&words[_e1677]));
+        values_out.member[(_e1685 + _e1677)] = _e1688;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[2]]), _e1446);
+    let _e1690 = (512u + _e63);
+    if ((_e88 + _e1690) < _e80) {
+        let _e1698 = atomicLoad((&digits[((_e1636[0] >> bitcast<u32>(16u)) & 255u)]));
+        let _e1701 = atomicLoad((&words[_e1690]));
+        values_out.member[(_e1698 + _e1690)] = _e1701;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[3]]), _e1457);
+    let _e1703 = (768u + _e63);
+    if ((_e88 + _e1703) < _e80) {
+        let _e1711 = atomicLoad((&digits[((_e1636[0] >> bitcast<u32>(24u)) & 255u)]));
+        let _e1714 = atomicLoad((&words[_e1703]));
+        values_out.member[(_e1711 + _e1703)] = _e1714;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[4]]), _e1468);
+    let _e1716 = (1024u + _e63);
+    if ((_e88 + _e1716) < _e80) {
+        let _e1722 = atomicLoad((&digits[(_e1636[1] & 255u)]));
+        let _e1725 = atomicLoad((&words[_e1716]));
+        values_out.member[(_e1722 + _e1716)] = _e1725;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[5]]), _e1479);
+    let _e1727 = (1280u + _e63);
+    if ((_e88 + _e1727) < _e80) {
+        let _e1735 = atomicLoad((&digits[((_e1636[1] >> bitcast<u32>(8u)) & 255u)]));
+        let _e1738 = atomicLoad((&words[_e1727]));
+        values_out.member[(_e1735 + _e1727)] = _e1738;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[6]]), _e1490);
+    let _e1740 = (1536u + _e63);
+    if ((_e88 + _e1740) < _e80) {
+        let _e1748 = atomicLoad((&digits[((_e1636[1] >> bitcast<u32>(16u)) & 255u)]));
+        let _e1751 = atomicLoad((&words[_e1740]));
+        values_out.member[(_e1748 + _e1740)] = _e1751;
     }
-    if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
-        atomicStore((&words[_e1087[7]]), _e1501);
+    let _e1753 = (1792u + _e63);
+    if ((_e88 + _e1753) < _e80) {
+        let _e1761 = atomicLoad((&digits[((_e1636[1] >> bitcast<u32>(24u)) & 255u)]));
+        let _e1764 = atomicLoad((&words[_e1753]));
+        values_out.member[(_e1761 + _e1753)] = _e1764;
     }
-    workgroupBarrier();
-    if ((_e78 + _e53) < _e70) {
-        let _e1753 = atomicLoad((&words[_e53]));
-        values_out.member[_e1677[0]] = _e1753;
+    let _e1766 = (2048u + _e63);
+    if ((_e88 + _e1766) < _e80) {
+        let _e1772 = atomicLoad((&digits[(_e1636[2] & 255u)]));
+        let _e1775 = atomicLoad((&words[_e1766]));
+        values_out.member[(_e1772 + _e1766)] = _e1775;
     }
-    let _e1755 = (256u + _e53);
-    if ((_e78 + _e1755) < _e70) {
-        let _e1760 = atomicLoad((&words[_e1755]));
-        values_out.member[_e1677[1]] = _e1760;
-    }
-    let _e1762 = (512u + _e53);
-    if ((_e78 + _e1762) < _e70) {
-        let _e1767 = atomicLoad((&words[_e1762]));
-        values_out.member[_e1677[2]] = _e1767;
-    }
-    let _e1769 = (768u + _e53);
-    if ((_e78 + _e1769) < _e70) {
-        let _e1774 = atomicLoad((&words[_e1769]));
-        values_out.member[_e1677[3]] = _e1774;
-    }
-    let _e1776 = (1024u + _e53);
-    if ((_e78 + _e1776) < _e70) {
-        let _e1781 = atomicLoad((&words[_e1776]));
-        values_out.member[_e1677[4]] = _e1781;
-    }
-    let _e1783 = (1280u + _e53);
-    if ((_e78 + _e1783) < _e70) {
-        let _e1788 = atomicLoad((&words[_e1783]));
-        values_out.member[_e1677[5]] = _e1788;
-    }
-    let _e1790 = (1536u + _e53);
-    if ((_e78 + _e1790) < _e70) {
-        let _e1795 = atomicLoad((&words[_e1790]));
-        values_out.member[_e1677[6]] = _e1795;
-    }
-    let _e1797 = (1792u + _e53);
-    if ((_e78 + _e1797) < _e70) {
-        let _e1802 = atomicLoad((&words[_e1797]));
-        values_out.member[_e1677[7]] = _e1802;
+    let _e1777 = (2304u + _e63);
+    if ((_e88 + _e1777) < _e80) {
+        let _e1785 = atomicLoad((&digits[((_e1636[2] >> bitcast<u32>(8u)) & 255u)]));
+        let _e1788 = atomicLoad((&words[_e1777]));
+        values_out.member[(_e1785 + _e1777)] = _e1788;
     }
     return;
 }

@@ -1,17 +1,21 @@
 //! The radix sort; see `ccd_core::backend::kernel::sort`.
 
+mod ranks;
+
 use crate::entry::kernel;
 use crate::scan::scan;
 use crate::workgroup::{
-    add, add_shared, barrier, get, get_uniform, load as load_word, lower_shared, or_shared, set,
-    store, subgroup_barrier,
+    add, add_shared, barrier, get, get_uniform, load as load_word, lower_shared, set, store,
 };
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::kernel::sort::{
-    COUNT_KEYS, COUNT_THREADS, COUNTED, DIGITS, KEYS, LOOKS, PASSES, SUBGROUP_THREADS, SUMMED,
-    THREADS, before, digit, first_row, place,
+    COUNT_KEYS, COUNT_THREADS, COUNTED, DIGITS, KEYS, LOOKS, PASSES, SUBGROUP_KEYS,
+    SUBGROUP_THREADS, SUMMED, THREADS, digit, first_row, place,
 };
-use spirv_std::arch::{subgroup_ballot, subgroup_inclusive_i_add};
+use ranks::{
+    RUNS, begin_runs, counter, counts_of_runs, part, rank_by_ballots, rank_by_masks,
+    sums_by_subgroups, total_of_packed,
+};
 
 kernel! {
     /// Adds the digits of the keys to the totals of each pass.
@@ -35,7 +39,7 @@ kernel! {
                     })*
                 };
             }
-            count!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+            count!(0 1 2 3 4 5 6 7);
             round += t.groups;
         }
         barrier();
@@ -49,69 +53,59 @@ kernel! {
     }
 }
 
-/// The body of a pass. What its two instances do differently: `rank` ranks a key among those of its
-/// digit before it in its run, and counts it; `counts` has the counts of the runs, one digit in a
-/// word or two, since they are below 2^16; `sums` adds two numbers of all threads up to each;
-/// `missing` is the same word of `lowest` for all threads, and knows that it is.
+/// The body of a pass. What its two instances do differently:
+///
+/// - `rank` ranks a key among those of its digit before it in its run, and counts it;
+/// - `total` is how many keys of the tile have a digit, for the first 256 threads, one a digit;
+/// - `sums` adds two numbers of theirs up to each;
+/// - `begins` takes where a digit begins in the tile, and `before` is where one begins of a run;
+/// - `missing` is the same word of `lowest` for all threads, and knows that it is.
 ///
 /// Workgroup memory is used for one thing after another: `words` for what `rank` needs, then for
 /// the keys of the tile in order, then for its values; `digits` for where a digit begins in the
 /// tile, then for what a key of it adds to its place there. Unrolled, so that what is indexed by
-/// `k` stays in registers.
+/// `k` stays in registers, of which there must be few: ranks and digits are packed.
 macro_rules! scatter {
     (
-        ($t:ident, $params:ident, $threads:ident, $per_word:literal)
+        ($t:ident, $params:ident, $threads:ident, $keys_each:ident)
         ($keys:ident, $values:ident, $table:ident, $keys_out:ident, $values_out:ident)
-        ($words:ident, $counts:ident, $digits:ident, $lowest:ident)
+        ($words:ident, $digits:ident, $lowest:ident)
         clear: $clear:expr;
-        rank: |$d:ident, $active:ident| $rank:expr;
+        rank: |$d:ident| $rank:expr;
+        total: $total:expr;
         sums: |$a:ident, $b:ident| $sums:expr;
+        begins: |$begin:ident| $begins:expr;
+        before: $before:expr;
         missing: $missing:expr;
         $($k:literal)*
     ) => {
         let (shift, n_keys, n_tiles) =
             ($params.args.shift, $params.dispatch.n, $params.args.n_tiles);
         let tile = $params.dispatch.first + $t.group;
-        let first = tile * ($threads * KEYS);
+        let first = tile * ($threads * $keys_each);
         // All loads before the first barrier, so that they overlap.
-        let mut sorted = [$(load($keys, n_keys, first + place($t.lane, $k))),*];
-        for k in 0..DIGITS / 32 {
-            set($words, k * $threads + $t.lane, 0);
+        let sorted = [$(load($keys, n_keys, first + place::<$keys_each>($t.lane, $k))),*];
+        // How many keys all tiles have of the digit of a thread.
+        let mut $b = 0;
+        if $t.lane < DIGITS {
+            $b = at($table, (shift / 8 * DIGITS + $t.lane) as usize);
         }
         $clear;
         if $t.lane == 0 {
             set($lowest, 0, u32::MAX);
         }
         barrier();
-        let mut ranks = [0u32; KEYS as usize];
+        let mut ranks = [0u32; ($keys_each as usize).div_ceil(2)];
         $({
-            let $active = first + place($t.lane, $k) < n_keys;
             let $d = digit(sorted[$k], shift);
-            ranks[$k] = $rank;
+            ranks[$k / 2] |= $rank << (16 * ($k % 2));
         })*
         barrier();
-        // From the counts of a run to those of the runs before it.
-        if $t.lane < DIGITS / $per_word {
-            let mut sum = 0;
-            for run in 0..$threads / 32 {
-                let i = run * (DIGITS / $per_word) + $t.lane;
-                let count = get($counts, i);
-                set($counts, i, sum);
-                sum += count;
-            }
-            for i in 0..$per_word {
-                set($digits, $per_word * $t.lane + i, part::<$per_word>(sum, i));
-            }
-        }
-        barrier();
-        // A thread has a digit.
         let has_digit = $t.lane < DIGITS && tile < n_tiles;
         let odd = shift / 8 % 2;
         let row = first_row(odd, n_tiles) + $t.lane;
-        let (mut $a, mut $b) = (0, 0);
+        let $a = $total;
         if has_digit {
-            $a = get($digits, $t.lane);
-            $b = at($table, (shift / 8 * DIGITS + $t.lane) as usize);
             let flag = if tile == 0 { SUMMED } else { COUNTED };
             store($table, (row + tile * DIGITS) as usize, flag | $a);
             // For the next pass.
@@ -119,20 +113,22 @@ macro_rules! scatter {
             put($table, other as usize, 0);
         }
         let (up_to, all_up_to) = $sums;
-        let begin = up_to - $a;
+        let $begin = up_to - $a;
         if $t.lane < DIGITS {
-            set($digits, $t.lane, begin);
+            $begins;
         }
         barrier();
-        $(if first + place($t.lane, $k) < n_keys {
-            let d = digit(sorted[$k], shift);
-            let in_runs = part::<$per_word>(get($counts, counter::<$per_word>($t.lane, d)), d);
-            ranks[$k] += in_runs + get($digits, d);
+        $({
+            let $d = digit(sorted[$k], shift);
+            ranks[$k / 2] += $before << (16 * ($k % 2));
         })*
         barrier();
-        $(if first + place($t.lane, $k) < n_keys {
-            set($words, ranks[$k], sorted[$k]);
-        })*
+        $(set($words, part::<2>(ranks[$k / 2], $k), sorted[$k]);)*
+        // While other tiles are looked at. Behind the last key it does not matter which.
+        let carried = [$({
+            let i = first + place::<$keys_each>($t.lane, $k);
+            at($values, i.min(n_keys - 1) as usize)
+        }),*];
         // What earlier tiles have of the digit.
         let mut back = if has_digit { tile } else { 0 };
         let mut earlier = 0;
@@ -142,6 +138,11 @@ macro_rules! scatter {
             earlier += sum;
             if back > 0 {
                 lower_shared($lowest, 0, back - 1);
+            } else if has_digit && tile > 0 {
+                store($table, (row + tile * DIGITS) as usize, SUMMED | (earlier + $a));
+            }
+            if $t.lane < DIGITS {
+                set($digits, $t.lane, (all_up_to - $b + earlier).wrapping_sub($begin));
             }
             barrier();
             let missing = $missing;
@@ -149,50 +150,43 @@ macro_rules! scatter {
                 break;
             }
             // A tile that has not published anything: counted here.
+            barrier();
             if $t.lane < DIGITS {
                 set($digits, $t.lane, 0);
             }
-            barrier();
             if $t.lane == 0 {
                 set($lowest, 0, u32::MAX);
             }
-            $({
-                let i = missing * ($threads * KEYS) + $k * $threads + $t.lane;
+            barrier();
+            for k in 0..$keys_each {
+                let i = missing * ($threads * $keys_each) + k * $threads + $t.lane;
                 add_shared($digits, digit(at($keys, i as usize), shift), 1);
-            })*
+            }
             barrier();
             if back == missing + 1 {
                 earlier += get($digits, $t.lane);
                 back = missing;
             }
-            barrier();
         }
-        if has_digit && tile > 0 {
-            store($table, (row + tile * DIGITS) as usize, SUMMED | (earlier + $a));
-        }
-        if $t.lane < DIGITS {
-            set($digits, $t.lane, (all_up_to - $b + earlier).wrapping_sub(begin));
-        }
-        barrier();
-        let carried = [$(load($values, n_keys, first + place($t.lane, $k))),*];
-        // `sorted` is from here on where the words go.
+        // Digits of the keys in order, four in a word.
+        let mut in_order = [0u32; ($keys_each as usize).div_ceil(4)];
         $({
             let i = $k * $threads + $t.lane;
             if first + i < n_keys {
                 let key = get($words, i);
-                sorted[$k] = get($digits, digit(key, shift)).wrapping_add(i);
-                put($keys_out, sorted[$k] as usize, key);
+                let d = digit(key, shift);
+                in_order[$k / 4] |= d << (8 * ($k % 4));
+                put($keys_out, get($digits, d).wrapping_add(i) as usize, key);
             }
         })*
         barrier();
-        $(if first + place($t.lane, $k) < n_keys {
-            set($words, ranks[$k], carried[$k]);
-        })*
+        $(set($words, part::<2>(ranks[$k / 2], $k), carried[$k]);)*
         barrier();
         $({
             let i = $k * $threads + $t.lane;
             if first + i < n_keys {
-                put($values_out, sorted[$k] as usize, get($words, i));
+                let d = digit(in_order[$k / 4], 8 * ($k % 4));
+                put($values_out, get($digits, d).wrapping_add(i) as usize, get($words, i));
             }
         })*
     };
@@ -232,105 +226,38 @@ fn row_before(row: u32, back: u32, k: u32) -> usize {
     (row + if back > k { (back - 1 - k) * DIGITS } else { 0 }) as usize
 }
 
-/// A digit's count, of `N` in a word.
-#[inline(always)]
-fn part<const N: u32>(word: u32, digit: u32) -> u32 {
-    if N == 2 { word >> (16 * (digit % 2)) & 0xffff } else { word }
-}
-
-/// The word of the count of a digit in the run of a thread.
-#[inline(always)]
-fn counter<const N: u32>(lane: u32, digit: u32) -> u32 {
-    (lane / 32 * DIGITS + digit) / N
-}
-
-/// Rank of a key among those of its digit before it in its run, which it is counted with, by masks
-/// of threads in workgroup memory. Three barriers.
-#[inline(always)]
-fn rank_by_masks(
-    masks: &mut [u32; 2048],
-    counts: &mut [u32; 1024],
-    (lane, d, active): (u32, u32, bool),
-) -> u32 {
-    let mask_of = counter::<1>(lane, d);
-    if active {
-        or_shared(masks, mask_of, 1 << (lane % 32));
-    }
-    barrier();
-    let mask = get(masks, mask_of);
-    let earlier = before(mask, lane);
-    let rank = part::<2>(get(counts, mask_of / 2), d) + earlier;
-    barrier();
-    if active && earlier == 0 {
-        add_shared(counts, mask_of / 2, mask.count_ones() << (16 * (d % 2)));
-        set(masks, mask_of, 0);
-    }
-    barrier();
-    rank
-}
-
-/// The same, by ballots.
-#[inline(always)]
-fn rank_by_ballots(counts: &mut [u32; 4096], (lane, d, active): (u32, u32, bool)) -> u32 {
-    let mut mask = subgroup_ballot(active).x;
-    macro_rules! bits {
-        ($($bit:literal)*) => {$(
-            let is_set = d >> $bit & 1 == 1;
-            let ballot = subgroup_ballot(is_set).x;
-            mask &= if is_set { ballot } else { !ballot };
-        )*};
-    }
-    bits!(0 1 2 3 4 5 6 7);
-    let counter = counter::<1>(lane, d);
-    let (earlier, count) = (before(mask, lane), get(counts, counter));
-    subgroup_barrier();
-    if active && earlier == 0 {
-        set(counts, counter, count + mask.count_ones());
-    }
-    subgroup_barrier();
-    count + earlier
-}
-
-/// Sums of two numbers of threads up to one, of the first 256.
-#[inline(always)]
-fn sums_by_subgroups(lane: u32, a: u32, b: u32, sums: &mut [u32; 16]) -> (u32, u32) {
-    let (mut a, mut b) = (subgroup_inclusive_i_add(a), subgroup_inclusive_i_add(b));
-    if lane < DIGITS && lane % 32 == 31 {
-        set(sums, lane / 32, a);
-        set(sums, 8 + lane / 32, b);
-    }
-    barrier();
-    if lane < DIGITS {
-        for i in 0..lane / 32 {
-            a += get(sums, i);
-            b += get(sums, 8 + i);
-        }
-    }
-    (a, b)
-}
-
 kernel! {
     /// One pass: moves the keys and values of a tile to where they belong after it.
-    sort_scatter[256](t; params: SortPass; words: [u32; 2048], counts: [u32; 1024],
+    sort_scatter[256](t; params: SortPass; words: [u32; 2560], counts: [u32; 1024],
         digits: [u32; 256], lowest: [u32; 1], missing: [u32; 1]; keys: [u32], values: [u32],
         mut table: [u32], mut keys_out: [u32], mut values_out: [u32]) {
         scatter! {
-            (t, params, THREADS, 2)
+            (t, params, THREADS, KEYS)
             (keys, values, table, keys_out, values_out)
-            (words, counts, digits, lowest)
-            clear: for k in 0..DIGITS / 64 { set(counts, k * THREADS + t.lane, 0) };
-            rank: |d, active| rank_by_masks(words, counts, (t.lane, d, active));
+            (words, digits, lowest)
+            clear: {
+                for k in 0..DIGITS / 64 {
+                    set(counts, k * THREADS + t.lane, 0);
+                }
+                for k in 0..DIGITS / 32 {
+                    set(words, k * THREADS + t.lane, 0);
+                }
+            };
+            rank: |d| rank_by_masks(words, counts, (t.lane, d));
+            total: total_of_packed(t.lane, counts, digits);
             sums: |a, b| (
                 scan(t.lane, 8, THREADS, a, words),
                 scan(t.lane, 8, THREADS, b, words),
             );
+            begins: |begin| set(digits, t.lane, begin);
+            before: part::<2>(get(counts, counter::<2>(t.lane, d)), d) + get(digits, d);
             missing: {
                 if t.lane == 0 {
                     set(missing, 0, get(lowest, 0));
                 }
                 get_uniform(missing, 0)
             };
-            0 1 2 3 4 5 6 7
+            0 1 2 3 4 5 6 7 8 9
         }
     }
 }
@@ -338,24 +265,35 @@ kernel! {
 kernel! {
     /// The same, where subgroups have 32 threads.
     sort_scatter_by_subgroups[512 by (subgroup, lane_of_subgroup)](t; params: SortPass;
-        words: [u32; 4096], digits: [u32; 256], sums: [u32; 16], lowest: [u32; 1];
+        words: [u32; 5632], digits: [u32; 256], sums: [u32; 16], lowest: [u32; 1];
         keys: [u32], values: [u32], mut table: [u32], mut keys_out: [u32],
         mut values_out: [u32]) {
+        let mut of_runs = [0; RUNS];
         scatter! {
-            (t, params, SUBGROUP_THREADS, 1)
+            (t, params, SUBGROUP_THREADS, SUBGROUP_KEYS)
             (keys, values, table, keys_out, values_out)
-            (words, words, digits, lowest)
-            clear: ();
-            rank: |d, active| rank_by_ballots(words, (t.lane, d, active));
+            (words, digits, lowest)
+            clear: for k in 0..DIGITS / 32 {
+                set(words, k * SUBGROUP_THREADS + t.lane, 0);
+            };
+            rank: |d| rank_by_ballots(words, (t.lane, d));
+            total: {
+                let (counts, sum) = counts_of_runs(t.lane, words);
+                of_runs = counts;
+                sum
+            };
             sums: |a, b| sums_by_subgroups(t.lane, a, b, sums);
+            begins: |begin| begin_runs(t.lane, begin, &of_runs, words);
+            before: get(words, counter::<1>(t.lane, d));
             missing: get(lowest, 0);
-            0 1 2 3 4 5 6 7
+            0 1 2 3 4 5 6 7 8 9 10
         }
     }
 }
 
-/// Element `i` of `n`, 0 past the end.
+/// Key `i` of `n`; behind the last one the greatest, which stays behind all others and is not
+/// written. The last tile counts it, in a row at which no tile looks.
 #[inline(always)]
-fn load(words: &[u32], n: u32, i: u32) -> u32 {
-    if i < n { at(words, i as usize) } else { 0 }
+fn load(keys: &[u32], n: u32, i: u32) -> u32 {
+    if i < n { at(keys, i as usize) } else { u32::MAX }
 }

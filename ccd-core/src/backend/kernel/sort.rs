@@ -29,7 +29,7 @@ pub const PASSES: u32 = 4;
 /// Threads of a workgroup of the count.
 pub const COUNT_THREADS: u32 = 256;
 /// Keys of each of them in a round.
-pub const COUNT_KEYS: u32 = 16;
+pub const COUNT_KEYS: u32 = 8;
 /// Workgroups of the count at most: each adds to the same words in the end.
 pub const COUNT_GROUPS: u32 = 1024;
 /// Threads of a workgroup of a pass. A device runs as many workgroups at a time as their memory
@@ -39,12 +39,16 @@ pub const THREADS: u32 = 256;
 pub const SUBGROUP_THREADS: u32 = 512;
 /// Threads of a subgroup, where ballots are used.
 pub const SUBGROUP: u32 = 32;
-/// Keys of each thread.
-pub const KEYS: u32 = 8;
+/// Keys of each thread: few tiles, since most of what one takes does not depend on its keys. More
+/// would not fit into the workgroup memory that every device has.
+pub const KEYS: u32 = 10;
+/// Keys of each thread by subgroups. Those of more would take so many registers that a processor
+/// of an NVIDIA H200 runs one workgroup at a time instead of two.
+pub const SUBGROUP_KEYS: u32 = 11;
 /// Keys of a workgroup.
 pub const TILE: u32 = THREADS * KEYS;
 /// Keys of a workgroup by subgroups.
-pub const SUBGROUP_TILE: u32 = SUBGROUP_THREADS * KEYS;
+pub const SUBGROUP_TILE: u32 = SUBGROUP_THREADS * SUBGROUP_KEYS;
 
 /// Flag of a number of keys of a tile.
 pub const COUNTED: u32 = 1 << 30;
@@ -69,11 +73,11 @@ pub fn digit(key: u32, shift: u32) -> u32 {
     (key >> shift) & (DIGITS - 1)
 }
 
-/// Where key `k` of thread `lane` is in its tile: 32 threads share a run of `32 KEYS` keys, so that
-/// their steps follow one another.
+/// Where key `k` of `N` of thread `lane` is in its tile: 32 threads share a run of `32 N` keys, so
+/// that their steps follow one another.
 #[inline(always)]
-pub fn place(lane: u32, k: u32) -> u32 {
-    (lane / 32) * (32 * KEYS) + k * 32 + lane % 32
+pub fn place<const N: u32>(lane: u32, k: u32) -> u32 {
+    lane / 32 * (32 * N) + k * 32 + lane % 32
 }
 
 /// Lanes before `lane` in a mask of 32.

@@ -33,11 +33,11 @@ macro_rules! kernels {
             SortCount = sort_count(256 threads, 2 barriers, f32, Params<SortPass>)
                 { keys: Read, table: Write }
             /// One pass of the sort.
-            SortScatter = sort_scatter(256 threads, 42 barriers, f32, Params<SortPass>)
+            SortScatter = sort_scatter(256 threads, 47 barriers, f32, Params<SortPass>)
                 { keys: Read, values: Read, table: Write, keys_out: Write, values_out: Write }
             /// The same by subgroups of 32 threads.
             SortScatterBySubgroups =
-                sort_scatter_by_subgroups(512 threads, 29 barriers, f32, Params<SortPass>)
+                sort_scatter_by_subgroups(512 threads, 33 barriers, f32, Params<SortPass>)
                 { keys: Read, values: Read, table: Write, keys_out: Write, values_out: Write }
             /// Sums of the rows of a table.
             ScanRows = scan_rows(256 threads, 3 barriers, f32, Params<SortPass>)
