@@ -81,61 +81,61 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_376_: u32;
     var phi_379_: type_9;
     var phi_416_: type_9;
-    var phi_987_: type_9;
-    var phi_990_: u32;
-    var phi_991_: u32;
-    var phi_1029_: type_9;
+    var phi_977_: type_9;
+    var phi_980_: u32;
+    var phi_981_: u32;
+    var phi_1019_: type_9;
     var local: u32;
-    var phi_1096_: type_9;
-    var phi_1099_: u32;
-    var phi_1101_: u32;
-    var phi_1103_: u32;
-    var phi_1100_: u32;
+    var phi_1086_: type_9;
+    var phi_1089_: u32;
+    var phi_1091_: u32;
+    var phi_1093_: u32;
+    var phi_1090_: u32;
+    var phi_1132_: u32;
+    var phi_1092_: u32;
+    var phi_1094_: u32;
+    var phi_1139_: type_9;
     var phi_1142_: u32;
-    var phi_1102_: u32;
-    var phi_1104_: u32;
-    var phi_1149_: type_9;
-    var phi_1152_: u32;
-    var phi_1154_: u32;
-    var phi_1156_: u32;
-    var phi_1153_: u32;
-    var phi_1195_: u32;
-    var phi_1155_: u32;
-    var phi_1157_: u32;
+    var phi_1144_: u32;
+    var phi_1146_: u32;
+    var phi_1143_: u32;
+    var phi_1185_: u32;
+    var phi_1145_: u32;
+    var phi_1147_: u32;
     var local_1: u32;
-    var phi_1750_: u32;
+    var phi_1740_: u32;
+    var phi_1743_: u32;
+    var phi_1748_: u32;
+    var phi_1751_: u32;
     var phi_1753_: u32;
-    var phi_1758_: u32;
-    var phi_1761_: u32;
-    var phi_1763_: u32;
-    var phi_1956_: u32;
-    var phi_1957_: u32;
-    var phi_1958_: u32;
-    var phi_1759_: u32;
-    var phi_1762_: u32;
-    var phi_1764_: u32;
-    var phi_1959_: bool;
+    var phi_1946_: u32;
+    var phi_1947_: u32;
+    var phi_1948_: u32;
+    var phi_1749_: u32;
+    var phi_1752_: u32;
+    var phi_1754_: u32;
+    var phi_1949_: bool;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_2018_: type_9;
+    var phi_2008_: type_9;
     var local_6: u32;
-    var phi_2077_: u32;
-    var phi_2078_: u32;
-    var phi_1751_: u32;
-    var phi_1754_: u32;
-    var phi_2079_: bool;
-    var phi_2106_: array<u32, 3>;
-    var phi_2133_: array<u32, 3>;
-    var phi_2160_: array<u32, 3>;
-    var phi_2187_: array<u32, 3>;
-    var phi_2214_: array<u32, 3>;
-    var phi_2241_: array<u32, 3>;
-    var phi_2268_: array<u32, 3>;
-    var phi_2295_: array<u32, 3>;
-    var phi_2322_: array<u32, 3>;
-    var phi_2349_: array<u32, 3>;
+    var phi_2067_: u32;
+    var phi_2068_: u32;
+    var phi_1741_: u32;
+    var phi_1744_: u32;
+    var phi_2069_: bool;
+    var phi_2096_: array<u32, 3>;
+    var phi_2123_: array<u32, 3>;
+    var phi_2150_: array<u32, 3>;
+    var phi_2177_: array<u32, 3>;
+    var phi_2204_: array<u32, 3>;
+    var phi_2231_: array<u32, 3>;
+    var phi_2258_: array<u32, 3>;
+    var phi_2285_: array<u32, 3>;
+    var phi_2312_: array<u32, 3>;
+    var phi_2339_: array<u32, 3>;
     var local_7: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -407,11 +407,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e706 = ((_e77 / 8u) % 2u);
     let _e710 = (((4u + (_e706 * _e83)) * 256u) + _e63);
     if (_e63 < 128u) {
-        phi_987_ = type_9(0u, 8u);
-        phi_990_ = 0u;
+        phi_977_ = type_9(0u, 8u);
+        phi_980_ = 0u;
         loop {
-            let _e713 = phi_987_;
-            let _e715 = phi_990_;
+            let _e713 = phi_977_;
+            let _e715 = phi_980_;
             local = _e715;
             let _e718 = (_e713.member < _e713.member_1);
             let _e731 = (bitcast<i32>(select(0u, 1u, _e718)) != 0i);
@@ -419,21 +419,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e733 = ((select(type_9().member_1, _e713.member, _e718) * 128u) + _e63);
                 let _e735 = atomicLoad((&counts[_e733]));
                 atomicStore((&counts[_e733]), _e715);
-                phi_991_ = (_e715 + _e735);
+                phi_981_ = (_e715 + _e735);
             } else {
-                phi_991_ = u32();
+                phi_981_ = u32();
             }
-            let _e739 = phi_991_;
+            let _e739 = phi_981_;
             continue;
             continuing {
-                phi_987_ = type_9(select(_e713.member, (_e713.member + 1u), _e718), select(_e713.member_1, _e713.member_1, _e718));
-                phi_990_ = _e739;
+                phi_977_ = type_9(select(_e713.member, (_e713.member + 1u), _e718), select(_e713.member_1, _e713.member_1, _e718));
+                phi_980_ = _e739;
                 break if !(_e731);
             }
         }
-        phi_1029_ = type_9(0u, 2u);
+        phi_1019_ = type_9(0u, 2u);
         loop {
-            let _e742 = phi_1029_;
+            let _e742 = phi_1019_;
             let _e745 = (_e742.member < _e742.member_1);
             let _e756 = select(type_9().member_1, _e742.member, _e745);
             let _e758 = (bitcast<i32>(select(0u, 1u, _e745)) != 0i);
@@ -443,7 +443,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             continue;
             continuing {
-                phi_1029_ = type_9(select(_e742.member, (_e742.member + 1u), _e745), select(_e742.member_1, _e742.member_1, _e745));
+                phi_1019_ = type_9(select(_e742.member, (_e742.member + 1u), _e745), select(_e742.member_1, _e742.member_1, _e745));
                 break if !(_e758);
             }
         }
@@ -455,17 +455,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         atomicStore((&table.member[((256u * ((4u + ((1u - _e706) * _e83)) + _e87)) + _e63)]), 0u);
     }
     atomicStore((&words[_e63]), _e772);
-    phi_1096_ = type_9(0u, 8u);
-    phi_1099_ = 0u;
-    phi_1101_ = 1u;
-    phi_1103_ = _e772;
-    phi_1100_ = 256u;
+    phi_1086_ = type_9(0u, 8u);
+    phi_1089_ = 0u;
+    phi_1091_ = 1u;
+    phi_1093_ = _e772;
+    phi_1090_ = 256u;
     loop {
-        let _e788 = phi_1096_;
-        let _e790 = phi_1099_;
-        let _e792 = phi_1101_;
-        let _e794 = phi_1103_;
-        let _e796 = phi_1100_;
+        let _e788 = phi_1086_;
+        let _e790 = phi_1089_;
+        let _e792 = phi_1091_;
+        let _e794 = phi_1093_;
+        let _e796 = phi_1090_;
         local_1 = _e794;
         let _e799 = (_e788.member < _e788.member_1);
         let _e810 = (bitcast<i32>(select(0u, 1u, _e799)) != 0i);
@@ -473,43 +473,43 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             workgroupBarrier();
             if (_e63 >= _e792) {
                 let _e815 = atomicLoad((&words[((_e790 + _e63) - _e792)]));
-                phi_1142_ = (_e794 + _e815);
+                phi_1132_ = (_e794 + _e815);
             } else {
-                phi_1142_ = _e794;
+                phi_1132_ = _e794;
             }
-            let _e818 = phi_1142_;
+            let _e818 = phi_1132_;
             atomicStore((&words[(_e796 + _e63)]), _e818);
-            phi_1102_ = (_e792 * 2u);
-            phi_1104_ = _e818;
+            phi_1092_ = (_e792 * 2u);
+            phi_1094_ = _e818;
         } else {
-            phi_1102_ = u32();
-            phi_1104_ = u32();
+            phi_1092_ = u32();
+            phi_1094_ = u32();
         }
-        let _e823 = phi_1102_;
-        let _e825 = phi_1104_;
+        let _e823 = phi_1092_;
+        let _e825 = phi_1094_;
         continue;
         continuing {
-            phi_1096_ = type_9(select(_e788.member, (_e788.member + 1u), _e799), select(_e788.member_1, _e788.member_1, _e799));
-            phi_1099_ = _e796;
-            phi_1101_ = _e823;
-            phi_1103_ = _e825;
-            phi_1100_ = _e790;
+            phi_1086_ = type_9(select(_e788.member, (_e788.member + 1u), _e799), select(_e788.member_1, _e788.member_1, _e799));
+            phi_1089_ = _e796;
+            phi_1091_ = _e823;
+            phi_1093_ = _e825;
+            phi_1090_ = _e790;
             break if !(_e810);
         }
     }
     workgroupBarrier();
     atomicStore((&words[_e63]), _e205);
-    phi_1149_ = type_9(0u, 8u);
-    phi_1152_ = 0u;
-    phi_1154_ = 1u;
-    phi_1156_ = _e205;
-    phi_1153_ = 256u;
+    phi_1139_ = type_9(0u, 8u);
+    phi_1142_ = 0u;
+    phi_1144_ = 1u;
+    phi_1146_ = _e205;
+    phi_1143_ = 256u;
     loop {
-        let _e829 = phi_1149_;
-        let _e831 = phi_1152_;
-        let _e833 = phi_1154_;
-        let _e835 = phi_1156_;
-        let _e837 = phi_1153_;
+        let _e829 = phi_1139_;
+        let _e831 = phi_1142_;
+        let _e833 = phi_1144_;
+        let _e835 = phi_1146_;
+        let _e837 = phi_1143_;
         local_5 = _e835;
         let _e840 = (_e829.member < _e829.member_1);
         let _e851 = (bitcast<i32>(select(0u, 1u, _e840)) != 0i);
@@ -517,27 +517,27 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             workgroupBarrier();
             if (_e63 >= _e833) {
                 let _e856 = atomicLoad((&words[((_e831 + _e63) - _e833)]));
-                phi_1195_ = (_e835 + _e856);
+                phi_1185_ = (_e835 + _e856);
             } else {
-                phi_1195_ = _e835;
+                phi_1185_ = _e835;
             }
-            let _e859 = phi_1195_;
+            let _e859 = phi_1185_;
             atomicStore((&words[(_e837 + _e63)]), _e859);
-            phi_1155_ = (_e833 * 2u);
-            phi_1157_ = _e859;
+            phi_1145_ = (_e833 * 2u);
+            phi_1147_ = _e859;
         } else {
-            phi_1155_ = u32();
-            phi_1157_ = u32();
+            phi_1145_ = u32();
+            phi_1147_ = u32();
         }
-        let _e864 = phi_1155_;
-        let _e866 = phi_1157_;
+        let _e864 = phi_1145_;
+        let _e866 = phi_1147_;
         continue;
         continuing {
-            phi_1149_ = type_9(select(_e829.member, (_e829.member + 1u), _e840), select(_e829.member_1, _e829.member_1, _e840));
-            phi_1152_ = _e837;
-            phi_1154_ = _e864;
-            phi_1156_ = _e866;
-            phi_1153_ = _e831;
+            phi_1139_ = type_9(select(_e829.member, (_e829.member + 1u), _e840), select(_e829.member_1, _e829.member_1, _e840));
+            phi_1142_ = _e837;
+            phi_1144_ = _e864;
+            phi_1146_ = _e866;
+            phi_1143_ = _e831;
             break if !(_e851);
         }
     }
@@ -624,18 +624,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e1221 = (_e88 + ((((_e63 / 32u) * 320u) + 288u) + (_e63 % 32u)));
     let _e1222 = (_e80 - 1u);
     let _e1226 = values.member[select(_e1221, _e1222, (_e1222 < _e1221))];
-    phi_1750_ = select(0u, _e87, _e704);
-    phi_1753_ = 0u;
+    phi_1740_ = select(0u, _e87, _e704);
+    phi_1743_ = 0u;
     loop {
-        let _e1229 = phi_1750_;
-        let _e1231 = phi_1753_;
-        phi_1758_ = 0u;
-        phi_1761_ = 0u;
-        phi_1763_ = _e1229;
+        let _e1229 = phi_1740_;
+        let _e1231 = phi_1743_;
+        phi_1748_ = 0u;
+        phi_1751_ = 0u;
+        phi_1753_ = _e1229;
         loop {
-            let _e1233 = phi_1758_;
-            let _e1235 = phi_1761_;
-            let _e1237 = phi_1763_;
+            let _e1233 = phi_1748_;
+            let _e1235 = phi_1751_;
+            let _e1237 = phi_1753_;
             local_2 = _e1235;
             local_3 = _e1237;
             local_4 = _e1237;
@@ -666,36 +666,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e1309 = select(_e1295, select(_e1295, select((_e1295 - 1u), 0u, (_e1261 >= 2147483648u)), _e1297), _e1298);
                     let _e1311 = select(false, (_e1268 != 0u), _e1297);
                     let _e1312 = (_e1309 > 0u);
-                    phi_1956_ = select(_e1307, select(_e1307, 0u, _e1311), _e1312);
-                    phi_1957_ = select(_e1308, select(_e1308, (_e1308 + (_e1268 & 1073741823u)), _e1311), _e1312);
-                    phi_1958_ = select(_e1309, select(_e1309, select((_e1309 - 1u), 0u, (_e1268 >= 2147483648u)), _e1311), _e1312);
+                    phi_1946_ = select(_e1307, select(_e1307, 0u, _e1311), _e1312);
+                    phi_1947_ = select(_e1308, select(_e1308, (_e1308 + (_e1268 & 1073741823u)), _e1311), _e1312);
+                    phi_1948_ = select(_e1309, select(_e1309, select((_e1309 - 1u), 0u, (_e1268 >= 2147483648u)), _e1311), _e1312);
                 } else {
-                    phi_1956_ = u32();
-                    phi_1957_ = u32();
-                    phi_1958_ = u32();
+                    phi_1946_ = u32();
+                    phi_1947_ = u32();
+                    phi_1948_ = u32();
                 }
-                let _e1325 = phi_1956_;
-                let _e1327 = phi_1957_;
-                let _e1329 = phi_1958_;
-                phi_1759_ = _e1325;
-                phi_1762_ = _e1327;
-                phi_1764_ = _e1329;
-                phi_1959_ = _e1239;
+                let _e1325 = phi_1946_;
+                let _e1327 = phi_1947_;
+                let _e1329 = phi_1948_;
+                phi_1749_ = _e1325;
+                phi_1752_ = _e1327;
+                phi_1754_ = _e1329;
+                phi_1949_ = _e1239;
             } else {
-                phi_1759_ = u32();
-                phi_1762_ = u32();
-                phi_1764_ = u32();
-                phi_1959_ = false;
+                phi_1749_ = u32();
+                phi_1752_ = u32();
+                phi_1754_ = u32();
+                phi_1949_ = false;
             }
-            let _e1331 = phi_1759_;
-            let _e1333 = phi_1762_;
-            let _e1335 = phi_1764_;
-            let _e1337 = phi_1959_;
+            let _e1331 = phi_1749_;
+            let _e1333 = phi_1752_;
+            let _e1335 = phi_1754_;
+            let _e1337 = phi_1949_;
             continue;
             continuing {
-                phi_1758_ = _e1331;
-                phi_1761_ = _e1333;
-                phi_1763_ = _e1335;
+                phi_1748_ = _e1331;
+                phi_1751_ = _e1333;
+                phi_1753_ = _e1335;
                 break if !(_e1337);
             }
         }
@@ -723,9 +723,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e1368 = workgroupUniformLoad((&missing[0u]));
         if (_e1368 == 4294967295u) {
-            phi_1751_ = u32();
-            phi_1754_ = u32();
-            phi_2079_ = false;
+            phi_1741_ = u32();
+            phi_1744_ = u32();
+            phi_2069_ = false;
         } else {
             workgroupBarrier();
             if (_e63 < 256u) {
@@ -735,9 +735,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&lowest[0u]), 4294967295u);
             }
             workgroupBarrier();
-            phi_2018_ = type_9(0u, 10u);
+            phi_2008_ = type_9(0u, 10u);
             loop {
-                let _e1375 = phi_2018_;
+                let _e1375 = phi_2008_;
                 let _e1378 = (_e1375.member < _e1375.member_1);
                 let _e1391 = (bitcast<i32>(select(0u, 1u, _e1378)) != 0i);
                 if _e1391 {
@@ -746,7 +746,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 continue;
                 continuing {
-                    phi_2018_ = type_9(select(_e1375.member, (_e1375.member + 1u), _e1378), select(_e1375.member_1, _e1375.member_1, _e1378));
+                    phi_2008_ = type_9(select(_e1375.member, (_e1375.member + 1u), _e1378), select(_e1375.member_1, _e1375.member_1, _e1378));
                     break if !(_e1391);
                 }
             }
@@ -754,26 +754,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e1407 = local_6;
             if (_e1407 == (_e1368 + 1u)) {
                 let _e1410 = atomicLoad((&digits[_e63]));
-                phi_2077_ = _e1368;
-                phi_2078_ = (_e1341 + _e1410);
+                phi_2067_ = _e1368;
+                phi_2068_ = (_e1341 + _e1410);
             } else {
                 let _e1845 = local_7;
-                phi_2077_ = _e1845;
-                phi_2078_ = _e1341;
+                phi_2067_ = _e1845;
+                phi_2068_ = _e1341;
             }
-            let _e1413 = phi_2077_;
-            let _e1415 = phi_2078_;
-            phi_1751_ = _e1413;
-            phi_1754_ = _e1415;
-            phi_2079_ = true;
+            let _e1413 = phi_2067_;
+            let _e1415 = phi_2068_;
+            phi_1741_ = _e1413;
+            phi_1744_ = _e1415;
+            phi_2069_ = true;
         }
-        let _e1417 = phi_1751_;
-        let _e1419 = phi_1754_;
-        let _e1421 = phi_2079_;
+        let _e1417 = phi_1741_;
+        let _e1419 = phi_1744_;
+        let _e1421 = phi_2069_;
         continue;
         continuing {
-            phi_1750_ = _e1417;
-            phi_1753_ = _e1419;
+            phi_1740_ = _e1417;
+            phi_1743_ = _e1419;
             break if !(_e1421);
         }
     }
@@ -782,110 +782,110 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e1430 = ((_e1426 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1436 = atomicLoad((&digits[_e1430]));
         keys_out.member[(_e1436 + _e63)] = _e1426;
-        phi_2106_ = array<u32, 3>(bitcast<u32>(_e1430), array<u32, 3>(0u, 0u, 0u)[1], array<u32, 3>(0u, 0u, 0u)[2]);
+        phi_2096_ = array<u32, 3>(bitcast<u32>(_e1430), array<u32, 3>(0u, 0u, 0u)[1], array<u32, 3>(0u, 0u, 0u)[2]);
     } else {
-        phi_2106_ = array<u32, 3>(0u, 0u, 0u);
+        phi_2096_ = array<u32, 3>(0u, 0u, 0u);
     }
-    let _e1440 = phi_2106_;
+    let _e1440 = phi_2096_;
     let _e1441 = (256u + _e63);
     if ((_e88 + _e1441) < _e80) {
         let _e1445 = atomicLoad((&words[_e1441]));
         let _e1449 = ((_e1445 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1458 = atomicLoad((&digits[_e1449]));
         keys_out.member[(_e1458 + _e1441)] = _e1445;
-        phi_2133_ = array<u32, 3>((_e1440[0] | (_e1449 << bitcast<u32>(8i))), _e1440[1], _e1440[2]);
+        phi_2123_ = array<u32, 3>((_e1440[0] | (_e1449 << bitcast<u32>(8i))), _e1440[1], _e1440[2]);
     } else {
-        phi_2133_ = _e1440;
+        phi_2123_ = _e1440;
     }
-    let _e1462 = phi_2133_;
+    let _e1462 = phi_2123_;
     let _e1463 = (512u + _e63);
     if ((_e88 + _e1463) < _e80) {
         let _e1467 = atomicLoad((&words[_e1463]));
         let _e1471 = ((_e1467 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1480 = atomicLoad((&digits[_e1471]));
         keys_out.member[(_e1480 + _e1463)] = _e1467;
-        phi_2160_ = array<u32, 3>((_e1462[0] | (_e1471 << bitcast<u32>(16i))), _e1462[1], _e1462[2]);
+        phi_2150_ = array<u32, 3>((_e1462[0] | (_e1471 << bitcast<u32>(16i))), _e1462[1], _e1462[2]);
     } else {
-        phi_2160_ = _e1462;
+        phi_2150_ = _e1462;
     }
-    let _e1484 = phi_2160_;
+    let _e1484 = phi_2150_;
     let _e1485 = (768u + _e63);
     if ((_e88 + _e1485) < _e80) {
         let _e1489 = atomicLoad((&words[_e1485]));
         let _e1493 = ((_e1489 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1502 = atomicLoad((&digits[_e1493]));
         keys_out.member[(_e1502 + _e1485)] = _e1489;
-        phi_2187_ = array<u32, 3>((_e1484[0] | (_e1493 << bitcast<u32>(24i))), _e1484[1], _e1484[2]);
+        phi_2177_ = array<u32, 3>((_e1484[0] | (_e1493 << bitcast<u32>(24i))), _e1484[1], _e1484[2]);
     } else {
-        phi_2187_ = _e1484;
+        phi_2177_ = _e1484;
     }
-    let _e1506 = phi_2187_;
+    let _e1506 = phi_2177_;
     let _e1507 = (1024u + _e63);
     if ((_e88 + _e1507) < _e80) {
         let _e1511 = atomicLoad((&words[_e1507]));
         let _e1515 = ((_e1511 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1523 = atomicLoad((&digits[_e1515]));
         keys_out.member[(_e1523 + _e1507)] = _e1511;
-        phi_2214_ = array<u32, 3>(_e1506[0], (_e1506[1] | bitcast<u32>(_e1515)), _e1506[2]);
+        phi_2204_ = array<u32, 3>(_e1506[0], (_e1506[1] | bitcast<u32>(_e1515)), _e1506[2]);
     } else {
-        phi_2214_ = _e1506;
+        phi_2204_ = _e1506;
     }
-    let _e1527 = phi_2214_;
+    let _e1527 = phi_2204_;
     let _e1528 = (1280u + _e63);
     if ((_e88 + _e1528) < _e80) {
         let _e1532 = atomicLoad((&words[_e1528]));
         let _e1536 = ((_e1532 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1545 = atomicLoad((&digits[_e1536]));
         keys_out.member[(_e1545 + _e1528)] = _e1532;
-        phi_2241_ = array<u32, 3>(_e1527[0], (_e1527[1] | (_e1536 << bitcast<u32>(8i))), _e1527[2]);
+        phi_2231_ = array<u32, 3>(_e1527[0], (_e1527[1] | (_e1536 << bitcast<u32>(8i))), _e1527[2]);
     } else {
-        phi_2241_ = _e1527;
+        phi_2231_ = _e1527;
     }
-    let _e1549 = phi_2241_;
+    let _e1549 = phi_2231_;
     let _e1550 = (1536u + _e63);
     if ((_e88 + _e1550) < _e80) {
         let _e1554 = atomicLoad((&words[_e1550]));
         let _e1558 = ((_e1554 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1567 = atomicLoad((&digits[_e1558]));
         keys_out.member[(_e1567 + _e1550)] = _e1554;
-        phi_2268_ = array<u32, 3>(_e1549[0], (_e1549[1] | (_e1558 << bitcast<u32>(16i))), _e1549[2]);
+        phi_2258_ = array<u32, 3>(_e1549[0], (_e1549[1] | (_e1558 << bitcast<u32>(16i))), _e1549[2]);
     } else {
-        phi_2268_ = _e1549;
+        phi_2258_ = _e1549;
     }
-    let _e1571 = phi_2268_;
+    let _e1571 = phi_2258_;
     let _e1572 = (1792u + _e63);
     if ((_e88 + _e1572) < _e80) {
         let _e1576 = atomicLoad((&words[_e1572]));
         let _e1580 = ((_e1576 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1589 = atomicLoad((&digits[_e1580]));
         keys_out.member[(_e1589 + _e1572)] = _e1576;
-        phi_2295_ = array<u32, 3>(_e1571[0], (_e1571[1] | (_e1580 << bitcast<u32>(24i))), _e1571[2]);
+        phi_2285_ = array<u32, 3>(_e1571[0], (_e1571[1] | (_e1580 << bitcast<u32>(24i))), _e1571[2]);
     } else {
-        phi_2295_ = _e1571;
+        phi_2285_ = _e1571;
     }
-    let _e1593 = phi_2295_;
+    let _e1593 = phi_2285_;
     let _e1594 = (2048u + _e63);
     if ((_e88 + _e1594) < _e80) {
         let _e1598 = atomicLoad((&words[_e1594]));
         let _e1602 = ((_e1598 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1610 = atomicLoad((&digits[_e1602]));
         keys_out.member[(_e1610 + _e1594)] = _e1598;
-        phi_2322_ = array<u32, 3>(_e1593[0], _e1593[1], (_e1593[2] | bitcast<u32>(_e1602)));
+        phi_2312_ = array<u32, 3>(_e1593[0], _e1593[1], (_e1593[2] | bitcast<u32>(_e1602)));
     } else {
-        phi_2322_ = _e1593;
+        phi_2312_ = _e1593;
     }
-    let _e1614 = phi_2322_;
+    let _e1614 = phi_2312_;
     let _e1615 = (2304u + _e63);
     if ((_e88 + _e1615) < _e80) {
         let _e1619 = atomicLoad((&words[_e1615]));
         let _e1623 = ((_e1619 >> bitcast<u32>((_e77 & 31u))) & 255u);
         let _e1632 = atomicLoad((&digits[_e1623]));
         keys_out.member[(_e1632 + _e1615)] = _e1619;
-        phi_2349_ = array<u32, 3>(_e1614[0], _e1614[1], (_e1614[2] | (_e1623 << bitcast<u32>(8i))));
+        phi_2339_ = array<u32, 3>(_e1614[0], _e1614[1], (_e1614[2] | (_e1623 << bitcast<u32>(8i))));
     } else {
-        phi_2349_ = _e1614;
+        phi_2339_ = _e1614;
     }
-    let _e1636 = phi_2349_;
+    let _e1636 = phi_2339_;
     workgroupBarrier();
     atomicStore((&words[(_e915 & 65535u)]), _e1127);
     atomicStore((&words[((_e915 >> bitcast<u32>(16u)) & 65535u)]), _e1138);

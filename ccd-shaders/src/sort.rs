@@ -31,6 +31,7 @@ kernel! {
             // All loads before the first addition, so that they overlap.
             macro_rules! count {
                 ($($k:literal)*) => {
+                    const _: () = assert!([$($k),*].len() == COUNT_KEYS as usize, "some uncounted");
                     let loaded = [$(load(keys, n, first + $k * COUNT_THREADS)),*];
                     $(if first + $k * COUNT_THREADS < n {
                         for pass in 0..PASSES {
@@ -79,6 +80,7 @@ macro_rules! scatter {
         missing: $missing:expr;
         $($k:literal)*
     ) => {
+        const _: () = assert!([$($k),*].len() == $keys_each as usize, "a list without some keys");
         let (shift, n_keys, n_tiles) =
             ($params.args.shift, $params.dispatch.n, $params.args.n_tiles);
         let tile = $params.dispatch.first + $t.group;
@@ -123,7 +125,7 @@ macro_rules! scatter {
             ranks[$k / 2] += $before << (16 * ($k % 2));
         })*
         barrier();
-        $(set($words, part::<2>(ranks[$k / 2], $k), sorted[$k]);)*
+        $(set($words, part(ranks[$k / 2], $k), sorted[$k]);)*
         // While other tiles are looked at. Behind the last key it does not matter which.
         let carried = [$({
             let i = first + place::<$keys_each>($t.lane, $k);
@@ -180,7 +182,7 @@ macro_rules! scatter {
             }
         })*
         barrier();
-        $(set($words, part::<2>(ranks[$k / 2], $k), carried[$k]);)*
+        $(set($words, part(ranks[$k / 2], $k), carried[$k]);)*
         barrier();
         $({
             let i = $k * $threads + $t.lane;
@@ -250,7 +252,7 @@ kernel! {
                 scan(t.lane, 8, THREADS, b, words),
             );
             begins: |begin| set(digits, t.lane, begin);
-            before: part::<2>(get(counts, counter::<2>(t.lane, d)), d) + get(digits, d);
+            before: part(get(counts, counter(t.lane, d) / 2), d) + get(digits, d);
             missing: {
                 if t.lane == 0 {
                     set(missing, 0, get(lowest, 0));
@@ -284,7 +286,7 @@ kernel! {
             };
             sums: |a, b| sums_by_subgroups(t.lane, a, b, sums);
             begins: |begin| begin_runs(t.lane, begin, &of_runs, words);
-            before: get(words, counter::<1>(t.lane, d));
+            before: get(words, counter(t.lane, d));
             missing: get(lowest, 0);
             0 1 2 3 4 5 6 7 8 9 10
         }

@@ -6,16 +6,16 @@ use ccd_core::backend::kernel::sort::{
 };
 use spirv_std::arch::{subgroup_ballot, subgroup_inclusive_i_add};
 
-/// A digit's count, of `N` in a word.
+/// Number `i` of those that are packed two in a word.
 #[inline(always)]
-pub fn part<const N: u32>(word: u32, digit: u32) -> u32 {
-    if N == 2 { word >> (16 * (digit % 2)) & 0xffff } else { word }
+pub fn part(word: u32, i: u32) -> u32 {
+    word >> (16 * (i % 2)) & 0xffff
 }
 
-/// The word of the count of a digit in the run of a thread.
+/// The word of the count of a digit in the run of a thread, or of half of one where two are packed.
 #[inline(always)]
-pub fn counter<const N: u32>(lane: u32, digit: u32) -> u32 {
-    (lane / 32 * DIGITS + digit) / N
+pub fn counter(lane: u32, digit: u32) -> u32 {
+    lane / 32 * DIGITS + digit
 }
 
 /// Rank of a key among those of its digit before it in its run, which it is counted with, by masks
@@ -26,12 +26,12 @@ pub fn rank_by_masks(
     counts: &mut [u32; 1024],
     (lane, d): (u32, u32),
 ) -> u32 {
-    let mask_of = counter::<1>(lane, d);
+    let mask_of = counter(lane, d);
     or_shared(masks, mask_of, 1 << (lane % 32));
     barrier();
     let mask = get(masks, mask_of);
     let earlier = before(mask, lane);
-    let rank = part::<2>(get(counts, mask_of / 2), d) + earlier;
+    let rank = part(get(counts, mask_of / 2), d) + earlier;
     barrier();
     if earlier == 0 {
         add_shared(counts, mask_of / 2, mask.count_ones() << (16 * (d % 2)));
@@ -53,7 +53,7 @@ pub fn rank_by_ballots(counts: &mut [u32; SUBGROUP_TILE as usize], (lane, d): (u
         )*};
     }
     bits!(0 1 2 3 4 5 6 7);
-    let counter = counter::<1>(lane, d);
+    let counter = counter(lane, d);
     let (earlier, count) = (before(mask, lane), get(counts, counter));
     subgroup_barrier();
     if earlier == 0 {
@@ -99,7 +99,7 @@ pub fn total_of_packed(lane: u32, counts: &mut [u32; 1024], digits: &mut [u32; 2
             sum += count;
         }
         for i in 0..2 {
-            set(digits, 2 * lane + i, part::<2>(sum, i));
+            set(digits, 2 * lane + i, part(sum, i));
         }
     }
     barrier();

@@ -42,8 +42,8 @@ pub const SUBGROUP: u32 = 32;
 /// Keys of each thread: few tiles, since most of what one takes does not depend on its keys. More
 /// would not fit into the workgroup memory that every device has.
 pub const KEYS: u32 = 10;
-/// Keys of each thread by subgroups. Those of more would take so many registers that a processor
-/// of an NVIDIA H200 runs one workgroup at a time instead of two.
+/// Keys of each thread by subgroups. With 12, a thread takes so many registers that a processor of
+/// an NVIDIA H200 runs one workgroup at a time instead of two.
 pub const SUBGROUP_KEYS: u32 = 11;
 /// Keys of a workgroup.
 pub const TILE: u32 = THREADS * KEYS;
