@@ -264,7 +264,7 @@ impl Engine {
         let (threads, mesh, selection) = (&*threads, &*mesh, &*selection);
         threads.enter(|| {
             let stop = &*threads.stop;
-            prepared.boxes(threads, mesh, options, &x)?;
+            prepared.boxes(threads, options, &x)?;
             stop.check()?;
             prepared.leaves(threads, method, (mesh, options), selection.rules.as_ref(), &x)?;
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);
@@ -333,10 +333,9 @@ impl Engine {
                         return Ok(());
                     }
                     let until = swept_until(first.toi, options);
-                    if work * SAMPLE as u64 > PER_BOX * prepared.n_swept() as u64 {
+                    if work * SAMPLE as u64 > PER_BOX * prepared.n_swept(mesh) as u64 {
                         (x.until, x.again) = (until, true);
                         prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
-                        prepared.hand_on_ends(threads, method, options);
                     } else {
                         // Then what the filters look at is the whole step.
                         debug_assert!(x.whole());
@@ -344,6 +343,7 @@ impl Engine {
                     }
                 }
             }
+            prepared.ends(threads, method, options, &x);
             let scene = prepared.scene((mesh, options), selection, &x, window, !earliest, stop);
             let scene = Scene { latest, ..scene };
             detect(threads, method, prepared, &scene, 1, workers, report);

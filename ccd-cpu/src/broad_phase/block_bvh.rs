@@ -5,9 +5,10 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, block_of, get_lane, join, set_lane};
+use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::marks::{BlockMarks, Marks};
-use crate::simd::{Block, EMPTY, WIDTH};
+use crate::broad_phase::runs::join;
+use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work, block_of, get_lane, set_lane};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use std::ops::Range;
@@ -107,31 +108,16 @@ impl BlockBvh {
         looseness
     }
 
-    /// Takes boxes of leaves at both ends, of which the blocks `changed` are new, and those from
-    /// `moving` on stand still. A block that is neither is as it was taken, or has become empty,
-    /// which leaves the boxes above it larger than they need to be. Returns whether it took them:
-    /// not where boxes around both ends are hardly longer than those at one, which spares nothing.
+    /// Takes boxes of leaves at both ends, of which the blocks `changed` are new. A block that is
+    /// not is as it was taken, or has become empty, which leaves the boxes above it larger than
+    /// they need to be.
     pub fn take_ends(
         &mut self,
         threads: &Threads,
         leaves: &[[Block; 2]],
-        (changed, moving): (&[Range<usize>], usize),
+        changed: &[Range<usize>],
         gap: f32,
-    ) -> bool {
-        let [mut around_both, mut at_start] = [0.0; 2];
-        let runs = changed.iter().filter(|run| run.start < moving);
-        let runs = runs.map(|run| run.start..run.end.min(moving));
-        let n: usize = runs.clone().map(|run| run.len()).sum();
-        let parts = runs.flat_map(|run| leaves[run].chunks(WIDTH));
-        for part in parts.step_by((n / WIDTH / SAMPLES).max(1)) {
-            let [start, end] = union_of_ends(part);
-            at_start += extent(&start, WIDTH);
-            let both = |j: usize| get_lane(&start, j).union(&get_lane(&end, j));
-            around_both += extent(&block_of((0..WIDTH).map(both)), WIDTH);
-        }
-        if around_both <= LONG * at_start {
-            return false;
-        }
+    ) {
         let n_levels = self.height - 1;
         if self.ends.len() < n_levels {
             self.ends.resize_with(n_levels, Vec::new);
@@ -148,7 +134,6 @@ impl BlockBvh {
             below = here;
         }
         (self.gap, self.n_ends) = (Some(gap), n_levels);
-        true
     }
 
     /// Finds the lanes where the first `moving` leaves end.
@@ -196,7 +181,7 @@ impl BlockBvh {
             raise_runs(&mut self.runs);
             let here = &mut here[0][..];
             let children = |i: usize| i * WIDTH..((i + 1) * WIDTH).min(below.len());
-            let block = |i: usize| block_of(below[children(i)].iter().map(union_of_lanes));
+            let block = |i: usize| unions(&below[children(i)]);
             if level == 0 {
                 self.lengths.resize(n_below, [0.0; 2]);
                 // Boxes that move and are not posed come first.
@@ -266,12 +251,6 @@ fn raise_runs(runs: &mut Vec<Range<usize>>) {
     join(runs);
 }
 
-/// Boxes at both ends are compared where those around both are so many times longer than those at
-/// the start: else they spare less than they cost.
-const LONG: f64 = 1.25;
-/// About so many blocks of eight are measured for [`LONG`].
-const SAMPLES: usize = 64;
-
 fn sum(lengths: &[[f64; 2]]) -> [f64; 2] {
     lengths.iter().fold([0.0; 2], |all, of| plus(all, *of))
 }
@@ -281,20 +260,43 @@ fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 /// Sum of the side lengths of the first `n` boxes of a block.
-fn extent(block: &Block, n: usize) -> f64 {
+pub fn extent(block: &Block, n: usize) -> f64 {
+    // Of an empty box less than 0.
     let side = |k: usize, j: usize| {
-        if block.min[k].0[j] <= block.max[k].0[j] {
-            block.max[k].0[j] as f64 - block.min[k].0[j] as f64
-        } else {
-            0.0
-        }
+        let side = block.max[k].0[j] as f64 - block.min[k].0[j] as f64;
+        if side > 0.0 { side } else { 0.0 }
     };
     (0..n).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
 }
 
 /// The boxes of up to eight blocks at both ends, each block one lane.
-fn union_of_ends(children: &[[Block; 2]]) -> [Block; 2] {
+pub fn union_of_ends(children: &[[Block; 2]]) -> [Block; 2] {
     [0, 1].map(|end| block_of(children.iter().map(|ends| union_of_lanes(&ends[end]))))
+}
+
+/// The boxes of up to eight blocks, each block one lane.
+fn unions(children: &[Block]) -> Block {
+    match children.try_into() {
+        Ok(children) => crate::simd::run_rows!(Unions { children }),
+        Err(_) => block_of(children.iter().map(union_of_lanes)),
+    }
+}
+
+/// The boxes of eight blocks.
+struct Unions<'a> {
+    children: &'a [Block; WIDTH],
+}
+
+impl<S: RowSimd> Work<S> for Unions<'_> {
+    type Out = Block;
+
+    #[inline(always)]
+    fn call(self, simd: S) -> Block {
+        let boxes = self.children;
+        let min = |k: usize| simd.store(simd.least_of_each(boxes.each_ref().map(|b| &b.min[k])));
+        let max = |k: usize| simd.store(simd.greatest_of_each(boxes.each_ref().map(|b| &b.max[k])));
+        Block { min: [min(0), min(1), min(2)], max: [max(0), max(1), max(2)] }
+    }
 }
 
 fn union_of_lanes(block: &Block) -> Aabb<f32> {

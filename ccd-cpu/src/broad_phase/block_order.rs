@@ -45,12 +45,13 @@ impl Order for BlockOrder<'_> {
     fn take_ends(
         &mut self,
         threads: &Threads,
-        leaves: &LeafBoxes,
+        _: &LeafBoxes,
         ends: &[[Block; 2]],
         changed: &[Range<usize>],
         gap: f32,
     ) -> bool {
-        self.tree.take_ends(threads, ends, (changed, leaves.n_moving()), gap)
+        self.tree.take_ends(threads, ends, changed, gap);
+        true
     }
 }
 

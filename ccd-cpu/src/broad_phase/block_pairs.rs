@@ -4,7 +4,7 @@
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::curve_order::CurveOrder;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Sides};
-use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::pair_source::{PairSink, PairSource, overlaps};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::{Search, Tasks};
 use crate::simd::{Block, RowSimd, WIDTH};
@@ -142,15 +142,14 @@ impl PairTree for BlockPairs<'_> {
     ) {
         let pair = BlockPair::unpacked(pair);
         let (a, b) = (pair.a as usize, pair.b as usize);
-        let mut masks =
-            overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & !self.both_fixed(pair);
-        if self.a.marks.worlds().are_known() && masks != 0 {
-            masks &= self.in_one_world(pair);
+        let mut wanted = !self.both_fixed(pair);
+        if self.a.marks.worlds().are_known() && wanted != 0 {
+            wanted &= self.in_one_world(pair);
         }
         if self.within && a == b {
-            masks &= UPPER;
+            wanted &= UPPER;
         }
-        sink.rows(worker, simd, (a, b), masks);
+        sink.blocks(worker, simd, (a, b), [&self.leaves_a[a], &self.leaves_b[b]], wanted);
     }
 }
 
@@ -193,7 +192,7 @@ impl<'a> BlockPairs<'a> {
     #[inline(always)]
     pub fn overlaps<S: RowSimd>(self, simd: S, BlockPair { level, a, b }: BlockPair) -> u64 {
         let level = level as usize;
-        overlaps(simd, &self.a.level(level)[a as usize], &self.b.level(level)[b as usize])
+        overlaps(simd, [&self.a.level(level)[a as usize], &self.b.level(level)[b as usize]])
     }
 
     /// Of a pair above the leaves, byte `i`, bit `j`: whether there may be a pair of leaves below
@@ -256,17 +255,6 @@ impl<'a> BlockPairs<'a> {
     }
 }
 
-/// Byte `i`, bit `j`: whether box `i` of `a` overlaps box `j` of `b`. All rows first, without a
-/// branch between them.
-#[inline(always)]
-fn overlaps<S: RowSimd>(simd: S, a: &Block, b: &Block) -> u64 {
-    let mut masks = 0;
-    for i in 0..WIDTH {
-        masks |= (simd.overlaps(a, i, b) as u64) << (8 * i);
-    }
-    masks
-}
-
 /// Byte `i` has the bits `j >= i`.
 const UPPER_OR_DIAGONAL: u64 = 0x80c0_e0f0_f8fc_feff;
 /// Byte `i` has the bits `j > i`.
@@ -275,10 +263,11 @@ const UPPER: u64 = 0x0080_c0e0_f0f8_fcfe;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::leaf_boxes::{Set, block_of};
+    use crate::broad_phase::leaf_boxes::Set;
     use crate::broad_phase::marks::Marks;
     use crate::broad_phase::pair_source::Overlaps;
     use crate::broad_phase::tests::random;
+    use crate::simd::block_of;
     use ccd_core::Aabb;
     use std::collections::BTreeSet;
     use std::ops::Range;

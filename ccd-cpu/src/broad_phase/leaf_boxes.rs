@@ -4,7 +4,8 @@
 //! Twin: none; a GPU keeps boxes in the buffers of each method.
 
 use crate::broad_phase::marks::{Marks, NO_BODY, Posed};
-use crate::simd::{Block, EMPTY, WIDTH};
+use crate::broad_phase::runs::add_runs;
+use crate::simd::{Block, EMPTY, WIDTH, block_of, get_lane, set_lane};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::candidate::bodies_meet;
 use ccd_core::backend::rules::Rules;
@@ -33,6 +34,9 @@ pub struct Keeps<'a> {
     /// Boxes of what is posed, which wait for [`LeafBoxes::pose`].
     pub posed: bool,
 }
+
+/// Makes blocks of boxes from that of the given number on, of these ids.
+pub type Make<'a> = dyn Fn(usize, &[[u32; WIDTH]], &mut [Block]) + Sync + 'a;
 
 /// The sets of a search: one against another, or, without another, within one.
 pub type Sides<'a> = (&'a LeafBoxes, Option<&'a LeafBoxes>);
@@ -187,19 +191,9 @@ impl LeafBoxes {
         &self.changed
     }
 
-    /// The same of blocks that are neither posed nor still; these are changed in the call.
-    pub fn free(&self) -> &[Range<usize>] {
-        &self.free
-    }
-
     /// Runs of posed blocks that have boxes.
     pub fn filled(&self) -> &[Range<usize>] {
         &self.filled
-    }
-
-    /// Runs of posed blocks that had boxes before the last call; some may have one now.
-    pub fn emptied(&self) -> &[Range<usize>] {
-        &self.emptied
     }
 
     /// The box of a leaf.
@@ -281,10 +275,20 @@ impl LeafBoxes {
         source.fit(threads, self)
     }
 
-    /// Takes new boxes in the order of the last build, as many as then. What is posed has none, if
-    /// it is not made of `boxes`. The source must fit them next.
-    pub fn take(&mut self, threads: &Threads, boxes: &[Aabb<f32>], keeps: Keeps) {
+    /// Takes new boxes in the order of the last build, as many as then: see [`LeafBoxes::make`].
+    fn take(&mut self, threads: &Threads, boxes: &[Aabb<f32>], keeps: Keeps) {
         assert_eq!(boxes.len(), self.n_boxes, "refit with another number of boxes");
+        self.make(threads, keeps, &|_, ids, blocks| {
+            for (ids, block) in ids.iter().zip(blocks) {
+                *block = block_of(ids.iter().map(|&id| boxes[id as usize]));
+            }
+        });
+    }
+
+    /// Has boxes made in the order of the last build; what `make` puts into lanes of ids that are
+    /// repeated does not matter. What is posed has none, if it is not made here. The source must
+    /// fit them next.
+    pub fn make(&mut self, threads: &Threads, keeps: Keeps, make: &Make) {
         let n = self.len.div_ceil(WIDTH);
         threads.resize(&mut self.blocks, n, || EMPTY);
         let (free, moving) = (self.n_free(), self.n_moving());
@@ -293,18 +297,12 @@ impl LeafBoxes {
         self.free.clear();
         let all = 0..free;
         self.free.extend_from_slice(keeps.free.unwrap_or(std::slice::from_ref(&all)));
-        let Self { len, has_gaps, order, blocks, changed, filled, emptied, .. } = self;
-        emptied.clear();
-        changed.clear();
+        self.emptied.clear();
+        self.changed.clear();
         let runs = self.free.iter().cloned().chain([posed, last]);
-        changed.extend(runs.filter(|run| !run.is_empty()));
-        threads.fill_in(blocks, changed, |i| {
-            let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
-            // A box that is repeated is the last of its block.
-            let gap = ids.windows(2).position(|pair| *has_gaps && pair[0] == pair[1]);
-            let ids = gap.map_or(ids, |last| &ids[..=last]);
-            block_of(ids.iter().map(|&id| boxes[id as usize]))
-        });
+        self.changed.extend(runs.filter(|run| !run.is_empty()));
+        self.fill(threads, make);
+        let Self { blocks, filled, emptied, .. } = self;
         if keeps.posed {
             std::mem::swap(filled, emptied);
             emptied.iter().for_each(|run| blocks[run.clone()].fill(EMPTY));
@@ -315,26 +313,30 @@ impl LeafBoxes {
         }
     }
 
-    /// Fills runs of posed blocks, numbered from the first one on, sorted and apart: boxes of ids,
-    /// and nothing where one is repeated. The source must fit these next; then
-    /// [`LeafBoxes::all_changed`] says all that have changed.
-    pub fn pose(
-        &mut self,
-        threads: &Threads,
-        runs: &[Range<usize>],
-        boxes: impl Fn(usize) -> [Aabb<f32>; WIDTH] + Sync,
-    ) {
+    /// Has runs of posed blocks, numbered from the first one on, sorted and apart, made as
+    /// [`LeafBoxes::make`] does. The source must fit these next; then [`LeafBoxes::all_changed`]
+    /// says all that have changed.
+    pub fn pose(&mut self, threads: &Threads, runs: &[Range<usize>], make: &Make) {
         let first = self.n_free();
-        let Self { order, blocks, changed, filled, .. } = self;
+        let Self { changed, filled, .. } = self;
         filled.clear();
         filled.extend(runs.iter().map(|run| first + run.start..first + run.end));
-        threads.fill_in(blocks, filled, |i| {
-            let ids = &order[i * WIDTH..(i + 1) * WIDTH];
-            let n = ids.windows(2).position(|pair| pair[0] == pair[1]).map_or(WIDTH, |i| i + 1);
-            block_of(boxes(i).into_iter().take(n))
-        });
         changed.clear();
         changed.extend_from_slice(filled);
+        self.fill(threads, make);
+    }
+
+    /// Has the blocks that change made.
+    fn fill(&mut self, threads: &Threads, make: &Make) {
+        let Self { len, has_gaps, order, blocks, changed, .. } = self;
+        threads.chunks_in(blocks, changed, &|first, out| {
+            let ids = &order.as_chunks().0[first..first + out.len()];
+            make(first, ids, out);
+            for (i, (ids, block)) in ids.iter().zip(out).enumerate() {
+                let n = n_in_block(ids, *has_gaps).min(*len - (first + i) * WIDTH);
+                (n..WIDTH).for_each(|j| set_lane(block, j, &Aabb::EMPTY));
+            }
+        });
     }
 
     /// After [`LeafBoxes::pose`]: has [`LeafBoxes::changed`] say what changed since
@@ -357,44 +359,12 @@ impl LeafBoxes {
     }
 }
 
-/// Adds runs to others; they are sorted and apart then.
-pub fn add_runs(runs: &mut Vec<Range<usize>>, more: &[Range<usize>]) {
-    runs.extend_from_slice(more);
-    runs.sort_unstable_by_key(|run| run.start);
-    join(runs);
-}
-
-/// Joins runs, sorted by where they begin, that touch or overlap.
-pub fn join(runs: &mut Vec<Range<usize>>) {
-    runs.dedup_by(|next, run| {
-        let joins = next.start <= run.end;
-        if joins {
-            run.end = run.end.max(next.end);
-        }
-        joins
-    });
-}
-
-/// The box in lane `j`.
-#[inline]
-pub fn get_lane(block: &Block, j: usize) -> Aabb<f32> {
-    Aabb { min: block.min.map(|x| x.0[j]), max: block.max.map(|x| x.0[j]) }
-}
-
-/// Up to eight boxes side by side.
+/// How many boxes a block with these ids has. One that is repeated is the last of them.
 #[inline(always)]
-pub fn block_of(boxes: impl Iterator<Item = Aabb<f32>>) -> Block {
-    let mut block = EMPTY;
-    for (j, aabb) in boxes.enumerate() {
-        set_lane(&mut block, j, &aabb);
-    }
-    block
-}
-
-/// Puts a box into lane `j`.
-pub fn set_lane(block: &mut Block, j: usize, aabb: &Aabb<f32>) {
-    for k in 0..3 {
-        block.min[k].0[j] = aabb.min[k];
-        block.max[k].0[j] = aabb.max[k];
+fn n_in_block(ids: &[u32; WIDTH], has_gaps: bool) -> usize {
+    if has_gaps && ids[WIDTH - 2] == ids[WIDTH - 1] {
+        1 + ids.windows(2).take_while(|pair| pair[0] != pair[1]).count()
+    } else {
+        WIDTH
     }
 }

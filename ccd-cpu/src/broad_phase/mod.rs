@@ -36,6 +36,7 @@ pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
 mod rows;
+pub mod runs;
 #[cfg(feature = "catalogue")]
 mod scheduled;
 #[cfg(feature = "catalogue")]
@@ -57,7 +58,7 @@ mod uniform_grid;
 mod worlds;
 
 use crate::clock::{Instant, milliseconds};
-use crate::simd::{RowSimd, WIDTH};
+use crate::simd::{Block, ROOM, RowSimd, WIDTH};
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::model::error::check_boxes;
@@ -71,7 +72,7 @@ use leaf_boxes::{LeafBoxes, Set};
 use marks::Marks;
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{Overlaps, PairSink, PairSource};
+use pair_source::{Overlaps, PairSink, PairSource, overlaps, overlaps_confirmed};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -295,29 +296,25 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
     }
 
     #[inline(always)]
-    fn rows<S: RowSimd>(
+    fn blocks<S: RowSimd>(
         &self,
         lister: &mut Lister,
         simd: S,
         (a, b): (usize, usize),
-        mut masks: u64,
+        boxes: [&Block; 2],
+        wanted: u64,
     ) {
-        if !S::PICKS {
-            return self.row_by_row(lister, simd, (a, b), masks);
-        }
-        while masks != 0 {
-            let ([at_a, at_b], mut mask) = simd.eight(&mut masks);
-            let ids_a = simd.pick_ids(self.a.ids(a), &at_a);
-            let ids_b = simd.pick_ids(self.b.ids(b), &at_b);
-            if let Some(confirm) = self.confirm {
-                let boxes_a = simd.picked(&self.a.blocks()[a], &at_a);
-                let boxes_b = simd.picked(&self.b.blocks()[b], &at_b);
-                let sure = simd.overlaps_surely_each(boxes_a, boxes_b, self.slack);
-                mask = mask & sure | keep(mask & !sure, |k| confirm(ids_a[k], ids_b[k]));
-            }
-            if let Some(pairs) = lister.room(self.stop, "overlapping boxes", WIDTH) {
-                simd.append_each::<WITHIN>(pairs, &ids_a, &ids_b, mask);
-            }
+        let (ids_a, ids_b) = (self.a.ids(a), self.b.ids(b));
+        let masks = match self.confirm {
+            Some(confirm) => overlaps_confirmed(simd, boxes, wanted, self.slack, |i, j| {
+                confirm(ids_a[i], ids_b[j])
+            }),
+            None => overlaps(simd, boxes) & wanted,
+        };
+        if masks != 0
+            && let Some(pairs) = lister.room(self.stop, "overlapping boxes", ROOM)
+        {
+            simd.append_rows::<WITHIN, 0, 0>(pairs, [ids_a, ids_b], [], [], masks);
         }
     }
 

@@ -9,7 +9,7 @@
 //! time, and is compiled once: for all others.
 
 use crate::broad_phase::leaf_boxes::{Order, Sides};
-use crate::simd::{RowSimd, WIDTH};
+use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
 
 /// Finds overlapping boxes, and hands rows of them to a sink.
@@ -50,19 +50,22 @@ pub trait PairSink: Sync {
     const ORDERED: bool = false;
     /// Takes a row. Must be `#[inline(always)]`, or the instruction set is not enabled inside.
     fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, row: Overlaps);
-    /// Takes what overlaps of blocks `a` and `b`: lane `i` of `a` and lane `j` of `b` where bit `j`
-    /// of byte `i` of `masks` is set. As rows, one after the other, or as if they were.
+    /// Takes what overlaps of blocks `a` and `b`, whose boxes are given: lane `i` of `a` and lane
+    /// `j` of `b` where bit `j` of byte `i` of `wanted` is set. As rows, one after the other, or as
+    /// if they were.
     #[inline(always)]
-    fn rows<S: RowSimd>(
+    fn blocks<S: RowSimd>(
         &self,
         worker: &mut Self::Worker,
         simd: S,
         blocks: (usize, usize),
-        masks: u64,
+        boxes: [&Block; 2],
+        wanted: u64,
     ) {
+        let masks = overlaps(simd, boxes) & wanted;
         self.row_by_row(worker, simd, blocks, masks);
     }
-    /// The same, always as rows.
+    /// Takes these pairs of lanes as rows.
     #[inline(always)]
     fn row_by_row<S: RowSimd>(
         &self,
@@ -82,4 +85,43 @@ pub trait PairSink: Sync {
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
     /// No further task comes.
     fn end(&self, _worker: &mut Self::Worker) {}
+}
+
+/// Byte `i`, bit `j`: whether box `i` of one block overlaps box `j` of another. All rows first,
+/// without a branch between them.
+#[inline(always)]
+pub fn overlaps<S: RowSimd>(simd: S, [a, b]: [&Block; 2]) -> u64 {
+    let mut masks = 0;
+    for i in 0..WIDTH {
+        masks |= (simd.overlaps(a, i, b) as u64) << (8 * i);
+    }
+    masks
+}
+
+/// Those of `wanted` that overlap, where boxes were rounded: by more than `slack`, or `confirmed`,
+/// which is asked for lane `i` of one block and lane `j` of the other.
+#[inline(always)]
+pub fn overlaps_confirmed<S: RowSimd>(
+    simd: S,
+    boxes: [&Block; 2],
+    wanted: u64,
+    slack: f32,
+    confirmed: impl Fn(usize, usize) -> bool,
+) -> u64 {
+    let mut masks = overlaps(simd, boxes) & wanted;
+    let (mut rest, mut unsure) = (masks, masks);
+    while rest != 0 {
+        let first = rest.trailing_zeros() as usize & !7;
+        rest &= !(0xff << first);
+        let sure = simd.overlaps_surely(boxes[0], first / WIDTH % WIDTH, boxes[1], slack);
+        unsure &= !((sure as u64) << first);
+    }
+    while unsure != 0 {
+        let bit = unsure.trailing_zeros() as usize;
+        unsure &= unsure - 1;
+        if !confirmed(bit / WIDTH, bit % WIDTH) {
+            masks &= !(1 << bit);
+        }
+    }
+    masks
 }

@@ -11,11 +11,11 @@
 use super::{Engine, SAMPLE, WHOLE};
 use crate::session::passes::{first_contact, swept_until};
 use crate::step::candidates::{Given, Scene, Take};
+use crate::step::leaves::feature_box;
 use crate::step::narrow_phase::{Worker, decide_open};
 use crate::step::positions::Positions;
 use crate::step::prepare::Prepared;
 use crate::step::selection::Selection;
-use crate::step::triangle_leaves::FeatureBoxes;
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::swept_box::swept;
@@ -209,7 +209,7 @@ impl CandidateSet {
         stop.begin()?;
         threads.enter(|| {
             let mut x = Positions::new(given, WHOLE);
-            prepared.boxes(threads, mesh, options, &x)?;
+            prepared.boxes(threads, options, &x)?;
             match given {
                 Precision::F32(x) => check_within(swept, reach, x)?,
                 Precision::F64(x) => check_within(swept, reach, x)?,
@@ -222,16 +222,16 @@ impl CandidateSet {
                 .collect();
             // A sample bounds the time that matters; an earlier contact is in smaller boxes.
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);
-            decide(threads, &scene, prepared.feature_boxes(), (&parts, SAMPLE), workers);
+            decide(threads, &scene, prepared.of_vertices(), (&parts, SAMPLE), workers);
             stop.check()?;
             if parts.len() > 1
                 && let Some(Contact { toi, .. }) = first_contact(workers)
             {
                 (x.until, x.again) = (swept_until(toi, options), true);
-                prepared.boxes(threads, mesh, options, &x)?;
+                prepared.boxes(threads, options, &x)?;
             }
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);
-            decide(threads, &scene, prepared.feature_boxes(), (&parts, 1), workers);
+            decide(threads, &scene, prepared.of_vertices(), (&parts, 1), workers);
             stop.check()?;
             Ok(first_contact(workers).map(|first| first.toi))
         })
@@ -245,7 +245,7 @@ const PART: usize = 4096;
 fn decide(
     threads: &Threads,
     scene: &Scene,
-    boxes: FeatureBoxes,
+    boxes: &[Aabb<f32>],
     (parts, nth): (&[(Kind, &[Pair])], usize),
     workers: &mut [Worker],
 ) {
@@ -256,20 +256,18 @@ fn decide(
                 break;
             }
             for &pair in part {
-                let Pair { a, b } = pair;
                 let [p, q, r, s] = scene.mesh.vertices_of(kind, pair);
-                let [i, j] = [a as usize, b as usize];
                 let exact = scene.slack.is_some();
                 match kind {
                     Kind::VertexFace => {
-                        if boxes.vertices[i].overlaps(&boxes.faces[j])
+                        if feature_box([p], boxes).overlaps(&feature_box([q, r, s], boxes))
                             && (!exact || scene.boxes_overlap([p], [q, r, s]))
                         {
                             worker.take_one(scene, kind, pair);
                         }
                     }
                     Kind::EdgeEdge => {
-                        if boxes.edges[i].overlaps(&boxes.edges[j])
+                        if feature_box([p, q], boxes).overlaps(&feature_box([r, s], boxes))
                             && (!exact || scene.boxes_overlap([p, q], [r, s]))
                         {
                             worker.take_one(scene, kind, pair);

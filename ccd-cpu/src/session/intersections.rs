@@ -126,7 +126,7 @@ impl Engine {
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
             let stop = &*threads.stop;
-            prepared.boxes(threads, mesh, options, &x)?;
+            prepared.boxes(threads, options, &x)?;
             stop.check()?;
             prepared.edges_and_faces(
                 threads,

@@ -45,7 +45,7 @@ pub fn prepare(
     if !x.again {
         prepared.rigid(threads, mesh, selection.rules.as_ref(), method, x);
     }
-    prepared.boxes(threads, mesh, options, x)?;
+    prepared.boxes(threads, options, x)?;
     report.times.boxes += milliseconds(start);
     threads.stop.check()?;
     let start = Instant::now();

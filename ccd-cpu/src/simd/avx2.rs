@@ -1,6 +1,9 @@
 //! AVX2: eight `f32` in one register.
 
+mod ids;
+
 use super::{F32x8, RowSimd, Simd, WIDTH, Work};
+use ccd_core::Aabb;
 use ccd_core::backend::layout::Pair;
 use std::arch::x86_64::*;
 
@@ -65,24 +68,6 @@ fn abs(x: __m256) -> __m256 {
     _mm256_andnot_ps(_mm256_set1_ps(-0.0), x)
 }
 
-/// For each mask, its set bits first: the permutation that moves chosen lanes to the front.
-static FRONT: [[u8; WIDTH]; 256] = {
-    let mut table = [[0u8; WIDTH]; 256];
-    let mut mask = 0;
-    while mask < 256 {
-        let (mut n, mut bit) = (0, 0);
-        while bit < WIDTH {
-            if mask >> bit & 1 == 1 {
-                table[mask][n] = bit as u8;
-                n += 1;
-            }
-            bit += 1;
-        }
-        mask += 1;
-    }
-    table
-};
-
 #[inline]
 #[target_feature(enable = "avx2")]
 pub(super) fn load(x: &[f32; WIDTH]) -> __m256 {
@@ -101,106 +86,8 @@ fn store(x: __m256) -> F32x8 {
 
 #[inline]
 #[target_feature(enable = "avx2")]
-fn load_ids(x: &[u32; WIDTH]) -> __m256i {
-    // SAFETY: eight words are readable; the load needs no alignment.
-    unsafe { _mm256_loadu_si256(x.as_ptr().cast()) }
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn equals(lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
-    let lanes = load_ids(lanes);
-    let first = _mm256_cmpeq_epi32(lanes, _mm256_set1_epi32(x[0] as i32));
-    let second = _mm256_cmpeq_epi32(lanes, _mm256_set1_epi32(x[1] as i32));
-    _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_or_si256(first, second))) as u32
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn store_ids(x: __m256i) -> [u32; WIDTH] {
-    let mut out = [0; WIDTH];
-    // SAFETY: eight words are writable; the store needs no alignment.
-    unsafe { _mm256_storeu_si256(out.as_mut_ptr().cast(), x) };
-    out
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn places(bytes: u64) -> [[u32; WIDTH]; 2] {
-    let each = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(bytes as i64));
-    [store_ids(_mm256_srli_epi32::<3>(each)), store_ids(each)]
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn pick_ids(ids: &[u32; WIDTH], at: &[u32; WIDTH]) -> [u32; WIDTH] {
-    store_ids(_mm256_permutevar8x32_epi32(load_ids(ids), load_ids(at)))
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
 fn pick(x: &[f32; WIDTH], at: &[u32; WIDTH]) -> __m256 {
-    _mm256_permutevar8x32_ps(load(x), load_ids(at))
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn equals_each(a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
-    let a = load_ids(a);
-    let first = _mm256_cmpeq_epi32(a, load_ids(b[0]));
-    let second = _mm256_cmpeq_epi32(a, load_ids(b[1]));
-    _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_or_si256(first, second))) as u32
-}
-
-/// The permutation that moves the lanes of a mask to the front.
-#[inline]
-#[target_feature(enable = "avx2")]
-fn front(mask: u32) -> __m256i {
-    // SAFETY: the row of the table has eight readable bytes.
-    let order = unsafe { _mm_loadl_epi64(FRONT[mask as usize & 0xff].as_ptr().cast()) };
-    _mm256_cvtepu8_epi32(order)
-}
-
-/// Appends the first `n <= 8` pairs of two lists.
-#[inline]
-#[target_feature(enable = "avx2")]
-fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: __m256i, b: __m256i, n: usize) {
-    if out.capacity() - out.len() < WIDTH {
-        out.reserve(WIDTH);
-    }
-    let (first, second) =
-        if ORDERED { (_mm256_min_epu32(a, b), _mm256_max_epu32(a, b)) } else { (a, b) };
-    let (low, high) = (_mm256_unpacklo_epi32(first, second), _mm256_unpackhi_epi32(first, second));
-    debug_assert!(n <= WIDTH);
-    // SAFETY: room for eight pairs was made above; they are written before the length grows by `n`,
-    // which is at most eight. A `Pair` is two words without padding.
-    unsafe {
-        let end: *mut __m256i = out.as_mut_ptr().add(out.len()).cast();
-        _mm256_storeu_si256(end, _mm256_permute2x128_si256::<0x20>(low, high));
-        _mm256_storeu_si256(end.add(1), _mm256_permute2x128_si256::<0x31>(low, high));
-        out.set_len(out.len() + n);
-    }
-}
-
-#[inline]
-#[target_feature(enable = "avx2,popcnt")]
-fn append_row<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
-    let b = _mm256_permutevar8x32_epi32(load_ids(b), front(mask));
-    append::<ORDERED>(out, _mm256_set1_epi32(a as i32), b, (mask & 0xff).count_ones() as usize);
-}
-
-#[inline]
-#[target_feature(enable = "avx2,popcnt")]
-fn append_each<const ORDERED: bool>(
-    out: &mut Vec<Pair>,
-    a: &[u32; WIDTH],
-    b: &[u32; WIDTH],
-    mask: u32,
-) {
-    let front = front(mask);
-    let a = _mm256_permutevar8x32_epi32(load_ids(a), front);
-    let b = _mm256_permutevar8x32_epi32(load_ids(b), front);
-    append::<ORDERED>(out, a, b, (mask & 0xff).count_ones() as usize);
+    _mm256_permutevar8x32_ps(load(x), ids::load_ids(at))
 }
 
 /// The four components of four rows, in each half: `[x x x x | x' x' x' x']`, and so on.
@@ -215,6 +102,52 @@ fn quads(r0: __m256, r1: __m256, r2: __m256, r3: __m256) -> [__m256; 4] {
         _mm256_shuffle_ps::<0x44>(q, t),
         _mm256_shuffle_ps::<0xee>(q, t),
     ]
+}
+
+/// The bounds of a box, `[x y z X | z X Y Z]`.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn load_box(aabb: &Aabb<f32>) -> __m256 {
+    let bounds: &[f32; 6] = bytemuck::cast_ref(aabb);
+    // SAFETY: four floats are readable at each place.
+    unsafe { _mm256_loadu2_m128(bounds.as_ptr().add(2), bounds.as_ptr()) }
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn gather_boxes(boxes: &[Aabb<f32>], ids: &[u32; WIDTH]) -> Aabb<V8> {
+    let rows = ids.map(|id| load_box(&boxes[id as usize]));
+    let [c0, c1, c2, c3] = quads(rows[0], rows[1], rows[2], rows[3]);
+    let [d0, d1, d2, d3] = quads(rows[4], rows[5], rows[6], rows[7]);
+    Aabb {
+        min: [
+            V8(_mm256_permute2f128_ps::<0x20>(c0, d0)),
+            V8(_mm256_permute2f128_ps::<0x20>(c1, d1)),
+            V8(_mm256_permute2f128_ps::<0x20>(c2, d2)),
+        ],
+        max: [
+            V8(_mm256_permute2f128_ps::<0x31>(c1, d1)),
+            V8(_mm256_permute2f128_ps::<0x31>(c2, d2)),
+            V8(_mm256_permute2f128_ps::<0x31>(c3, d3)),
+        ],
+    }
+}
+
+/// One number of each list, by `of` two, which may choose either.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn one_of_each(lists: [&F32x8; WIDTH], of: impl Fn(__m256, __m256) -> __m256) -> __m256 {
+    let x = lists.map(|list| load(&list.0));
+    let pair = |i: usize| {
+        let (x, y) = (x[i], x[i + 1]);
+        of(_mm256_unpacklo_ps(x, y), _mm256_unpackhi_ps(x, y))
+    };
+    let four = |i: usize| {
+        let (x, y) = (pair(i), pair(i + 2));
+        of(_mm256_shuffle_ps::<0x44>(x, y), _mm256_shuffle_ps::<0xee>(x, y))
+    };
+    let (x, y) = (four(0), four(4));
+    of(_mm256_permute2f128_ps::<0x20>(x, y), _mm256_permute2f128_ps::<0x31>(x, y))
 }
 
 #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
@@ -279,24 +212,52 @@ impl RowSimd for Avx2 {
     #[inline(always)]
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         // SAFETY: see above.
-        unsafe { equals(lanes, x) }
+        unsafe { ids::equals(lanes, x) }
     }
     #[inline(always)]
     fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
         // SAFETY: see above.
-        unsafe { append_row::<ORDERED>(out, a, b, mask) }
+        unsafe { ids::append_row::<ORDERED>(out, a, b, mask) }
+    }
+
+    #[inline(always)]
+    fn gather_boxes(self, boxes: &[Aabb<f32>], ids: &[u32; WIDTH]) -> Aabb<V8> {
+        // SAFETY: see above.
+        unsafe { gather_boxes(boxes, ids) }
+    }
+    #[inline(always)]
+    fn least_of_each(self, lists: [&F32x8; WIDTH]) -> V8 {
+        // SAFETY: see above.
+        V8(unsafe { one_of_each(lists, |x, y| _mm256_min_ps(x, y)) })
+    }
+    #[inline(always)]
+    fn greatest_of_each(self, lists: [&F32x8; WIDTH]) -> V8 {
+        // SAFETY: see above.
+        V8(unsafe { one_of_each(lists, |x, y| _mm256_max_ps(x, y)) })
+    }
+    #[inline(always)]
+    fn append_rows<const ORDERED: bool, const N: usize, const M: usize>(
+        self,
+        out: &mut Vec<Pair>,
+        ids: [&[u32; WIDTH]; 2],
+        of_a: [&[u32; WIDTH]; N],
+        of_b: [&[u32; WIDTH]; M],
+        masks: u64,
+    ) -> usize {
+        // SAFETY: see above.
+        unsafe { ids::append_rows::<ORDERED, N, M>(out, ids, of_a, of_b, masks) }
     }
 
     const PICKS: bool = true;
     #[inline(always)]
     fn places(self, bytes: u64) -> [[u32; WIDTH]; 2] {
         // SAFETY: see above.
-        unsafe { places(bytes) }
+        unsafe { ids::places(bytes) }
     }
     #[inline(always)]
     fn pick_ids(self, ids: &[u32; WIDTH], at: &[u32; WIDTH]) -> [u32; WIDTH] {
         // SAFETY: see above.
-        unsafe { pick_ids(ids, at) }
+        unsafe { ids::pick_ids(ids, at) }
     }
     #[inline(always)]
     fn pick(self, x: &F32x8, at: &[u32; WIDTH]) -> V8 {
@@ -306,7 +267,7 @@ impl RowSimd for Avx2 {
     #[inline(always)]
     fn equals_each(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
         // SAFETY: see above.
-        unsafe { equals_each(a, b) }
+        unsafe { ids::equals_each(a, b) }
     }
     #[inline(always)]
     fn append_each<const ORDERED: bool>(
@@ -317,6 +278,6 @@ impl RowSimd for Avx2 {
         mask: u32,
     ) {
         // SAFETY: see above.
-        unsafe { append_each::<ORDERED>(out, a, b, mask) }
+        unsafe { ids::append_each::<ORDERED>(out, a, b, mask) }
     }
 }

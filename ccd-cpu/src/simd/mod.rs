@@ -38,7 +38,7 @@ pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
 pub use portable::Portable;
-pub use row_simd::RowSimd;
+pub use row_simd::{ROOM, RowSimd};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use simd128::Simd128;
 #[cfg(target_arch = "x86_64")]
@@ -63,6 +63,30 @@ pub type Block = Aabb<F32x8>;
 /// Eight empty boxes.
 pub const EMPTY: Block =
     Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
+
+/// The box in lane `j`.
+#[inline]
+pub fn get_lane(block: &Block, j: usize) -> Aabb<f32> {
+    Aabb { min: block.min.map(|x| x.0[j]), max: block.max.map(|x| x.0[j]) }
+}
+
+/// Up to eight boxes side by side.
+#[inline(always)]
+pub fn block_of(boxes: impl Iterator<Item = Aabb<f32>>) -> Block {
+    let mut block = EMPTY;
+    for (j, aabb) in boxes.enumerate() {
+        set_lane(&mut block, j, &aabb);
+    }
+    block
+}
+
+/// Puts a box into lane `j`.
+pub fn set_lane(block: &mut Block, j: usize, aabb: &Aabb<f32>) {
+    for k in 0..3 {
+        block.min[k].0[j] = aabb.min[k];
+        block.max[k].0[j] = aabb.max[k];
+    }
+}
 
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.

@@ -8,6 +8,10 @@ use ccd_core::math::real::Mask;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num};
 
+/// Pairs that [`RowSimd::append_rows`] may write: all of two blocks, and a row that it does not
+/// keep.
+pub const ROOM: usize = WIDTH * WIDTH + WIDTH;
+
 /// An instruction set for rows of eight boxes.
 pub trait RowSimd: Simd {
     /// Eight numbers.
@@ -18,6 +22,26 @@ pub trait RowSimd: Simd {
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
     /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
     fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
+
+    /// Eight of these boxes.
+    #[inline(always)]
+    fn gather_boxes(self, boxes: &[Aabb<f32>], ids: &[u32; WIDTH]) -> Aabb<Self::Lanes> {
+        let all = ids.map(|id| boxes[id as usize]);
+        let min = |k: usize| self.load(&F32x8(all.map(|aabb| aabb.min[k])));
+        let max = |k: usize| self.load(&F32x8(all.map(|aabb| aabb.max[k])));
+        Aabb { min: [min(0), min(1), min(2)], max: [max(0), max(1), max(2)] }
+    }
+
+    /// The least number of list `k` in lane `k`.
+    #[inline(always)]
+    fn least_of_each(self, lists: [&F32x8; WIDTH]) -> Self::Lanes {
+        self.load(&F32x8(lists.map(|list| list.0.into_iter().fold(f32::INFINITY, Num::min))))
+    }
+    /// The greatest.
+    #[inline(always)]
+    fn greatest_of_each(self, lists: [&F32x8; WIDTH]) -> Self::Lanes {
+        self.load(&F32x8(lists.map(|list| list.0.into_iter().fold(f32::NEG_INFINITY, Num::max))))
+    }
 
     /// Whether the functions that pick lanes take a few instructions; else they are not used.
     const PICKS: bool = false;
@@ -55,6 +79,33 @@ pub trait RowSimd: Simd {
         for j in (0..WIDTH).filter(|j| mask >> j & 1 == 1) {
             out.push(if ORDERED { Pair::ordered(a[j], b[j]) } else { Pair { a: a[j], b: b[j] } });
         }
+    }
+
+    /// Appends `(a[i], b[j])` for every bit `j` of byte `i` of `masks`, ascending, lesser id first
+    /// if `ORDERED`, but for pairs that have a number in common: of lane `i` of one of the first
+    /// lists and lane `j` of one of the second. There must be [`ROOM`]. Returns how many.
+    #[inline(always)]
+    fn append_rows<const ORDERED: bool, const N: usize, const M: usize>(
+        self,
+        out: &mut Vec<Pair>,
+        [a, b]: [&[u32; WIDTH]; 2],
+        of_a: [&[u32; WIDTH]; N],
+        of_b: [&[u32; WIDTH]; M],
+        mut masks: u64,
+    ) -> usize {
+        let before = out.len();
+        while masks != 0 {
+            let lane = masks.trailing_zeros() as usize / WIDTH;
+            let mut mask = (masks >> (WIDTH * lane)) as u32 & 0xff;
+            masks &= !(0xff << (WIDTH * lane));
+            for ids in of_b {
+                for of in of_a {
+                    mask &= !self.equals(ids, [of[lane]; 2]);
+                }
+            }
+            self.append::<ORDERED>(out, a[lane], b, mask);
+        }
+        out.len() - before
     }
 
     /// Takes the first eight bits from the masks of two blocks, see

@@ -85,6 +85,21 @@ impl<S: RowSimd> Work<S> for Rows {
             out.push(simd.equals(&ids, [id, 2]));
             simd.append::<true>(&mut pairs, id, &ids, mask);
             simd.append::<false>(&mut pairs, id, &ids, mask);
+            // Rows at once, without and with numbers in common.
+            let more: [u32; WIDTH] = std::array::from_fn(|_| random.below(9) as u32);
+            let mut bits = || random.below(1 << 16) as u64;
+            let (low, high, few) = (bits(), bits(), bits());
+            let masks = low | high << 30 | few << 48;
+            let masks = masks & [u64::MAX, few << 20, 0][random.below(3)];
+            pairs.reserve(4 * ROOM);
+            out.push(
+                simd.append_rows::<true, 0, 0>(&mut pairs, [&ids, &more], [], [], masks) as u32
+            );
+            let (of_a, of_b) = ([&ids, &more], [&more, &ids]);
+            out.push(simd.append_rows::<true, 2, 2>(&mut pairs, of_a, of_a, of_b, masks) as u32);
+            let (of_a, of_b) = ([&more], [&ids, &[3; WIDTH], &[4; WIDTH]]);
+            let n = simd.append_rows::<false, 1, 3>(&mut pairs, [&ids, &more], of_a, of_b, masks);
+            out.push(n as u32);
             // Eight pairs at once, of 0 to 16 bits.
             let mut masks = (0..16).fold(0, |all, _| all | 1 << random.below(64));
             masks &= random.below(3) as u64 * 0x5555_ffff_0f0f_ffff;
@@ -100,6 +115,18 @@ impl<S: RowSimd> Work<S> for Rows {
                 out.push(simd.separated_each(ends_a, ends_b, 0.125) & mask);
                 simd.append_each::<true>(&mut pairs, &of_a, &of_b, mask);
                 simd.append_each::<false>(&mut pairs, &of_a, &of_b, mask);
+            }
+            let boxes: [Aabb<f32>; 9] = std::array::from_fn(|i| get_lane([&a, &b][i % 2], i / 2));
+            let Aabb { min, max } = simd.gather_boxes(&boxes, &more);
+            for lanes in [min, max].into_iter().flatten() {
+                out.extend(simd.store(lanes).0.map(f32::to_bits));
+            }
+            // Which of two zeros it is is not promised, and of NaN nothing.
+            let lists = [&a.min, &a.max, &b.min, &b.max]
+                .map(|of| F32x8(of[0].0.map(|x| if x.is_nan() { 0.5 } else { x })));
+            let lists = std::array::from_fn(|k| &lists[k % 4]);
+            for lanes in [simd.least_of_each(lists), simd.greatest_of_each(lists)] {
+                out.extend(simd.store(lanes).0.map(|x| (x + 0.0).to_bits()));
             }
             let table = [a.min[0].0, a.min[1].0, a.max[0].0, b.min[2].0, b.max[1].0];
             for lanes in simd.gather(&table, &ids) {

@@ -6,12 +6,11 @@ pub use ccd_core::model::precision::Given;
 
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
-use crate::broad_phase::pair_source::{Overlaps, PairSink};
-use crate::simd::{RowSimd, WIDTH};
+use crate::broad_phase::pair_source::{Overlaps, PairSink, overlaps, overlaps_confirmed};
+use crate::simd::{Block, ROOM, RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
-use ccd_core::Real;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::quantization::margin;
@@ -20,6 +19,8 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
+use ccd_core::narrow_phase::separating_direction::axis_separated;
+use ccd_core::{Num, Real};
 use std::marker::PhantomData;
 
 /// What all workers of a step read.
@@ -35,6 +36,9 @@ pub struct Scene<'a> {
     pub table_distance: f32,
     /// The gap in that unit that two features must keep along an axis to be apart.
     pub needed_gap: f32,
+    /// Whether a search looks at boxes at both ends, in which an axis may keep features apart: else
+    /// pairs that filters leave are asked, each by itself.
+    pub asks_ends: bool,
     pub min_distance: f64,
     /// What decides pairs that filters leave.
     pub decider: Decider,
@@ -60,6 +64,26 @@ impl Scene<'_> {
             Precision::F64(x) => boxes_overlap(x, self.min_distance, &a, &b),
         }
     }
+}
+
+impl Scene<'_> {
+    /// Whether an axis keeps two features apart at both ends, and so throughout.
+    pub fn axis_separated<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
+        let (a0, b0) = (bounds(self.table, a, 0), bounds(self.table, b, 0));
+        let (a1, b1) = (bounds(self.table, a, 4), bounds(self.table, b, 4));
+        axis_separated(&a0, &a1, &b0, &b1, self.needed_gap)
+    }
+}
+
+/// `[min, max]` of positions in the table, from its component `k` on.
+fn bounds<const N: usize>(table: &[[f32; WIDTH]], ids: [u32; N], k: usize) -> [[f32; 3]; 2] {
+    let at = |v: u32| [0, 1, 2].map(|axis| table[v as usize][k + axis]);
+    let first = at(ids[0]);
+    ids.iter().skip(1).fold([first; 2], |[min, max], &v| {
+        let p = at(v);
+        let lesser = [0, 1, 2].map(|axis| Num::min(min[axis], p[axis]));
+        [lesser, [0, 1, 2].map(|axis| Num::max(max[axis], p[axis]))]
+    })
 }
 
 /// The rule of candidates for a row, after boxes, common vertices and bodies.
@@ -101,7 +125,7 @@ impl Scene<'_> {
             mask = self.selection.of_features(kind, (a.ids()[lane], face_first), b.ids(), mask);
         }
         worker.count(kind, (mask & first).count_ones() as u64);
-        if W::FILTERED && mask != 0 {
+        if W::FILTERED && self.asks_ends && mask != 0 {
             mask &= !apart & !simd.axis_separated(a.ends(), lane, b.ends(), self.needed_gap);
         }
         if mask == 0 {
@@ -140,8 +164,8 @@ pub trait Take: Send {
     /// Counts pairs of triangles.
     #[inline(always)]
     fn count_triangles(&mut self, _counts: TriangleCounts) {}
-    /// The list that pairs of a kind are added to, with room for `n <= 8` of them; none if a limit
-    /// of memory ends the call.
+    /// The list that pairs of a kind go to, with room for `n` of them, at most [`ROOM`]; none if a
+    /// limit of memory ends the call.
     fn list(&mut self, scene: &Scene, kind: Kind, n: usize) -> Option<&mut Vec<Pair>>;
     /// Pairs were added to it.
     #[inline(always)]
@@ -247,28 +271,65 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
     }
 
     #[inline(always)]
-    fn rows<S: RowSimd>(&self, worker: &mut W, simd: S, (a, b): (usize, usize), mut masks: u64) {
+    fn blocks<S: RowSimd>(
+        &self,
+        worker: &mut W,
+        simd: S,
+        (a, b): (usize, usize),
+        boxes: [&Block; 2],
+        wanted: u64,
+    ) {
         const { assert!(N != 3, "a face would come before its vertex") };
         let scene = self.scene;
-        if !S::PICKS || scene.selection.selects() {
+        let asks_ends = W::FILTERED && scene.asks_ends;
+        if scene.selection.selects() || asks_ends && !S::PICKS {
+            let masks = overlaps(simd, boxes) & wanted;
             return self.row_by_row(worker, simd, (a, b), masks);
         }
-        let (of_a, of_b, kind) = ((self.a, a), (self.b, b), kind_of(N));
+        let (of_a, of_b) = ((self.a, a), (self.b, b));
+        let masks = match scene.slack {
+            Some(slack) => overlaps_confirmed(simd, boxes, wanted, slack, |i, j| {
+                scene.boxes_overlap(of_a.vertices_of(i), of_b.vertices_of(j))
+            }),
+            None => overlaps(simd, boxes) & wanted,
+        };
+        if masks == 0 {
+            return;
+        }
+        if asks_ends {
+            self.eights(worker, simd, (a, b), masks);
+        } else if let Some(list) = worker.list(scene, kind_of(N), ROOM) {
+            let (ids, of) = ([of_a.ids(), of_b.ids()], (of_a.vertices(), of_b.vertices()));
+            let n = match N {
+                2 => simd.append_rows::<true, N, M>(list, ids, of.0, of.1, masks),
+                _ => simd.append_rows::<false, N, M>(list, ids, of.0, of.1, masks),
+            };
+            worker.count(kind_of(N), n as u64);
+            worker.listed(scene, kind_of(N));
+        }
+    }
+
+    fn begin(&self, worker: &mut W, task: usize) {
+        worker.begin(task);
+    }
+
+    fn end(&self, worker: &mut W) {
+        worker.finish(self.scene, kind_of(N));
+    }
+}
+
+impl<W: Take, const N: usize, const M: usize> FeaturePairs<'_, W, N, M> {
+    /// Takes pairs of lanes of two blocks that overlap, eight at a time: without a common vertex,
+    /// and, once they were counted, such as no axis keeps apart.
+    #[inline(always)]
+    fn eights<S: RowSimd>(&self, worker: &mut W, simd: S, (a, b): (usize, usize), mut masks: u64) {
+        let (scene, kind) = (self.scene, kind_of(N));
+        let (of_a, of_b) = ((self.a, a), (self.b, b));
         while masks != 0 {
             let ([at_a, at_b], mut mask) = simd.eight(&mut masks);
             mask &= !shared_each(simd, (of_a.vertices(), &at_a), (of_b.vertices(), &at_b));
-            if let Some(slack) = scene.slack {
-                let (boxes_a, boxes_b) =
-                    (simd.picked(of_a.boxes(), &at_a), simd.picked(of_b.boxes(), &at_b));
-                let sure = simd.overlaps_surely_each(boxes_a, boxes_b, slack);
-                mask = mask & sure
-                    | keep(mask & !sure, |k| {
-                        let (i, j) = (at_a[k] as usize % WIDTH, at_b[k] as usize % WIDTH);
-                        scene.boxes_overlap(of_a.vertices_of(i), of_b.vertices_of(j))
-                    });
-            }
             worker.count(kind, mask.count_ones() as u64);
-            if W::FILTERED && mask != 0 {
+            if mask != 0 {
                 let (a, b) = (of_a.ends(), of_b.ends());
                 let ends_a = [simd.picked(&a[0], &at_a), simd.picked(&a[1], &at_a)];
                 let ends_b = [simd.picked(&b[0], &at_b), simd.picked(&b[1], &at_b)];
@@ -279,14 +340,6 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
                 worker.take_each(simd, scene, kind, [&ids[0], &ids[1]], mask);
             }
         }
-    }
-
-    fn begin(&self, worker: &mut W, task: usize) {
-        worker.begin(task);
-    }
-
-    fn end(&self, worker: &mut W) {
-        worker.finish(self.scene, kind_of(N));
     }
 }
 

@@ -21,7 +21,7 @@ pub fn find<W: Take>(
     workers: &mut [W],
 ) {
     if let Some(leaves) = &prepared.triangles {
-        let boxes = prepared.feature_boxes();
+        let boxes = prepared.of_vertices();
         let sink = TrianglePairs { scene, leaves, boxes, only, worker: PhantomData };
         method.find(threads, (&leaves.boxes, None), part, &sink, workers);
         if part == 1 {

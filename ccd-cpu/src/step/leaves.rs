@@ -1,18 +1,18 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Order, Set, add_runs};
+use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Order, Set};
 use crate::broad_phase::marks::Posed;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
-use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
+use crate::simd::{Block, RowSimd, WIDTH, Work};
+use crate::step::leaf_ends::{self, LeafEnds};
 use crate::step::rigid::RigidTrees;
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
 use ccd_core::backend::rules::Rules;
 use ccd_core::{Aabb, Num};
 use std::ops::Range;
-use std::slice;
 
 /// Boxes and leaves of one kind of feature with `N` vertices.
 #[derive(Debug)]
@@ -46,16 +46,6 @@ impl<const N: usize> Feature<N> {
         let posed = rigid.is_there().then_some(posed);
         leaves.boxes.build_by_rules(threads, order, boxes, rules, vertex, (kept, posed));
         leaves.order(threads, rules, &features);
-    }
-
-    /// Takes boxes in the order that there is, see [`LeafBoxes::take`]; [`Feature::fit`] is next.
-    pub fn take_boxes(&mut self, threads: &Threads, keeps: Keeps) {
-        self.leaves.boxes.take(threads, &self.boxes, keeps);
-    }
-
-    /// Has the method fit them, see [`Order::fit`](crate::broad_phase::leaf_boxes::Order::fit).
-    pub fn fit(&mut self, threads: &Threads, order: &mut dyn Order) -> f64 {
-        order.fit(threads, &self.leaves.boxes)
     }
 }
 
@@ -95,7 +85,7 @@ impl<'a, const N: usize> Side<'a, N> for (&'a Leaves<N>, usize) {
 
     #[inline(always)]
     fn ends(self) -> &'a [Block; 2] {
-        &self.0.ends[self.1]
+        self.0.ends.of(self.1)
     }
 }
 
@@ -108,11 +98,8 @@ pub struct Leaves<const N: usize> {
     pub vertices: Vec<[[u32; WIDTH]; N]>,
     /// Bodies of the features.
     pub bodies: BlockBodies,
-    /// Boxes of the features at the start and at the end, of the positions in the table.
-    pub ends: Vec<[Block; 2]>,
-    /// Whether the method has taken `ends`, but for those of these runs of blocks.
-    taken: bool,
-    untaken: Vec<Range<usize>>,
+    /// Boxes of the features at both ends.
+    pub ends: LeafEnds,
 }
 
 impl<const N: usize> Leaves<N> {
@@ -122,9 +109,7 @@ impl<const N: usize> Leaves<N> {
             boxes: LeafBoxes::new(set),
             vertices: Vec::new(),
             bodies: BlockBodies::default(),
-            ends: Vec::new(),
-            taken: false,
-            untaken: Vec::new(),
+            ends: LeafEnds::default(),
         }
     }
 
@@ -147,7 +132,19 @@ impl<const N: usize> Leaves<N> {
             std::array::from_fn(|k| features.map(|vertices| vertices[k]))
         });
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
-        self.ends.clear();
+        self.ends.forget();
+    }
+
+    /// Makes boxes in the order that there is from those of vertices, see [`LeafBoxes::make`];
+    /// [`Leaves::fit`] is next.
+    pub fn sweep(&mut self, threads: &Threads, of_vertices: &[Aabb<f32>], keeps: Keeps) {
+        let Self { boxes, vertices, .. } = self;
+        boxes.make(threads, keeps, &|first, _, out| sweep(of_vertices, &vertices[first..], out));
+    }
+
+    /// Has the method fit them, see [`Order::fit`](crate::broad_phase::leaf_boxes::Order::fit).
+    pub fn fit(&mut self, threads: &Threads, order: &mut dyn Order) -> f64 {
+        order.fit(threads, &self.boxes)
     }
 
     /// Makes boxes of these runs of posed blocks from those of vertices, see [`LeafBoxes::pose`].
@@ -160,108 +157,71 @@ impl<const N: usize> Leaves<N> {
         still: bool,
     ) {
         let Self { boxes, vertices, .. } = self;
-        boxes.pose(threads, runs, |i| {
-            std::array::from_fn(|lane| {
-                let of = |k: usize| &of_vertices[vertices[i][k][lane] as usize];
-                (1..N).fold(*of(0), |all, k| all.union(of(k)))
-            })
-        });
+        let make = |first: usize, _: &[_], out: &mut [Block]| {
+            sweep(of_vertices, &vertices[first..], out);
+        };
+        boxes.pose(threads, runs, &make);
         method.order().fit(threads, boxes);
         boxes.all_changed(still);
     }
 
-    /// Boxes at both ends, from the table of positions; `holds`: whether those of leaves that were
-    /// not changed do. Of what is posed those are made that have boxes.
-    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], holds: bool) {
-        let Self { boxes, vertices, ends, taken, untaken, .. } = self;
-        threads.resize(ends, vertices.len(), || [EMPTY; 2]);
-        if !holds {
-            *taken = false;
-            untaken.clear();
-        }
-        if *taken {
-            // The call before may have changed others, of which nobody took the ends.
-            add_runs(untaken, boxes.changed());
-        }
-        boxes.emptied().iter().for_each(|run| ends[run.clone()].fill([EMPTY; 2]));
-        let first = 0..boxes.n_free();
-        let first = if holds { boxes.free() } else { slice::from_ref(&first) };
-        let last = if holds { 0..0 } else { boxes.n_moving()..vertices.len() };
-        for runs in [first, boxes.filled(), slice::from_ref(&last)] {
-            threads.chunks_in(ends, runs, &|first, out| {
-                place(table, &vertices[first..first + out.len()], out);
-            });
-        }
+    /// Boxes at both ends change with those of leaves: see [`LeafEnds::change`].
+    pub fn change_ends(&mut self, holds: bool) {
+        self.ends.change(&self.boxes, holds);
     }
 
-    /// Has the method leave out pairs that an axis keeps further than `gap` apart at both ends.
+    /// See [`leaf_ends::lengths`].
+    pub fn lengths(&self, table: &[[f32; WIDTH]]) -> [f64; 2] {
+        leaf_ends::lengths(&self.boxes, &self.vertices, table)
+    }
+
+    /// See [`LeafEnds::make`].
+    pub fn make_ends(&mut self, threads: &Threads, table: &[[f32; WIDTH]]) {
+        self.ends.make(threads, &self.boxes, &self.vertices, table);
+    }
+
+    /// See [`LeafEnds::hand_on`].
     pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, gap: f32) {
-        let Self { boxes, ends, taken, untaken, .. } = self;
-        let all = 0..ends.len();
-        let changed = if *taken { &untaken[..] } else { slice::from_ref(&all) };
-        if method.order().take_ends(threads, boxes, ends, changed, gap) {
-            *taken = true;
-            untaken.clear();
-        }
+        self.ends.hand_on(threads, method.order(), &self.boxes, gap);
     }
 }
 
-/// The boxes of eight features at both ends, from the table of positions.
-pub fn ends<const N: usize>(table: &[[f32; WIDTH]], vertices: &[[u32; WIDTH]; N]) -> [Block; 2] {
-    let mut out = [[EMPTY; 2]];
-    place(table, slice::from_ref(vertices), &mut out);
-    out[0]
+/// The box of a feature during the step, from those of vertices.
+pub fn feature_box<const N: usize>(ids: [u32; N], of_vertices: &[Aabb<f32>]) -> Aabb<f32> {
+    let of = |v: u32| &of_vertices[v as usize];
+    ids.iter().skip(1).fold(*of(ids[0]), |all, &v| all.union(of(v)))
 }
 
-fn place<const N: usize>(
-    table: &[[f32; WIDTH]],
-    vertices: &[[[u32; WIDTH]; N]],
-    out: &mut [[Block; 2]],
-) {
-    crate::simd::run_rows!(Place { table, vertices, out })
+/// The boxes of features during the step, from those of vertices.
+fn sweep<const N: usize>(boxes: &[Aabb<f32>], vertices: &[[[u32; WIDTH]; N]], out: &mut [Block]) {
+    crate::simd::run_rows!(Sweep { boxes, vertices, out })
 }
 
-/// The boxes of eight features at both ends, block by block, written where they belong.
-struct Place<'a, const N: usize> {
-    table: &'a [[f32; WIDTH]],
+/// The same, block by block, written where they belong.
+struct Sweep<'a, const N: usize> {
+    boxes: &'a [Aabb<f32>],
     vertices: &'a [[[u32; WIDTH]; N]],
-    out: &'a mut [[Block; 2]],
+    out: &'a mut [Block],
 }
 
-impl<S: RowSimd, const N: usize> Work<S> for Place<'_, N> {
+impl<S: RowSimd, const N: usize> Work<S> for Sweep<'_, N> {
     type Out = ();
 
     #[inline(always)]
     fn call(self, simd: S) {
         for (vertices, out) in self.vertices.iter().zip(self.out) {
-            *out = ends_of(simd, self.table, vertices);
+            let Aabb { mut min, mut max } = simd.gather_boxes(self.boxes, &vertices[0]);
+            for ids in &vertices[1..] {
+                let next = simd.gather_boxes(self.boxes, ids);
+                for k in 0..3 {
+                    min[k] = min[k].min(next.min[k]);
+                    max[k] = max[k].max(next.max[k]);
+                }
+            }
+            *out = Block {
+                min: [simd.store(min[0]), simd.store(min[1]), simd.store(min[2])],
+                max: [simd.store(max[0]), simd.store(max[1]), simd.store(max[2])],
+            };
         }
-    }
-}
-
-#[inline(always)]
-fn ends_of<S: RowSimd, const N: usize>(
-    simd: S,
-    table: &[[f32; WIDTH]],
-    vertices: &[[u32; WIDTH]; N],
-) -> [Block; 2] {
-    let first = simd.gather(table, &vertices[0]);
-    let (mut min, mut max) = (first, first);
-    for ids in &vertices[1..] {
-        let next = simd.gather(table, ids);
-        for k in 0..WIDTH {
-            min[k] = min[k].min(next[k]);
-            max[k] = max[k].max(next[k]);
-        }
-    }
-    [block(simd, &min, &max, 0), block(simd, &min, &max, 4)]
-}
-
-/// The boxes whose bounds begin at component `k`.
-#[inline(always)]
-fn block<S: RowSimd>(simd: S, min: &[S::Lanes; WIDTH], max: &[S::Lanes; WIDTH], k: usize) -> Block {
-    Block {
-        min: [simd.store(min[k]), simd.store(min[k + 1]), simd.store(min[k + 2])],
-        max: [simd.store(max[k]), simd.store(max[k + 1]), simd.store(max[k + 2])],
     }
 }

@@ -5,6 +5,7 @@ pub mod candidates;
 pub mod codimensional;
 pub mod contact_order;
 pub mod find;
+pub mod leaf_ends;
 pub mod leaves;
 pub mod movers;
 pub mod narrow_phase;

@@ -2,7 +2,7 @@
 //! or moved in the call before. All others are where they were, in boxes, in leaves and in the
 //! table.
 
-use crate::broad_phase::leaf_boxes::join;
+use crate::broad_phase::runs::join;
 use crate::simd::WIDTH;
 use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;

@@ -5,7 +5,7 @@
 //! leaves.
 
 use crate::clock::Instant;
-use crate::simd::{MAX_WIDTH, Mask, Simd, WIDTH, Work};
+use crate::simd::{MAX_WIDTH, Mask, ROOM, Simd, Work};
 use crate::step::candidates::{Scene, Take};
 use crate::threads::Threads;
 use ccd_core::Num;
@@ -51,7 +51,7 @@ impl Worker {
     pub fn reset(&mut self) {
         for queue in &mut self.queues {
             queue.clear();
-            queue.reserve(QUEUE + WIDTH);
+            queue.reserve(QUEUE + ROOM);
         }
         self.open.clear();
         self.n_open = 0;
@@ -203,10 +203,26 @@ impl<S: Simd> Work<S> for Filter<'_> {
                 _ => self.keep::<S, false>(simd, n_clips),
             }
         }
+        if !self.scene.asks_ends {
+            self.keep_near();
+        }
     }
 }
 
 impl Filter<'_> {
+    /// Keeps what no axis keeps apart, which nobody has looked at yet.
+    #[inline(never)]
+    fn keep_near(&mut self) {
+        let Self { pairs, scene, kind } = self;
+        pairs.retain(|&pair| {
+            let [p, q, r, s] = scene.mesh.vertices_of(*kind, pair);
+            !match kind {
+                Kind::VertexFace => scene.axis_separated([p], [q, r, s]),
+                _ => scene.axis_separated([p, q], [r, s]),
+            }
+        });
+    }
+
     /// Keeps, in order, what cannot be rejected during the times that so many clips leave. (No
     /// closures here: they would not be compiled with the instruction set.)
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
 //! that filters read.
 
+mod ends;
 mod triangles;
 mod vertices;
 
@@ -16,7 +17,7 @@ use crate::step::rigid::RigidTrees;
 use crate::step::scans::Scans;
 use crate::step::selection::Selection;
 use crate::step::still::Still;
-use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
+use crate::step::triangle_leaves::TriangleLeaves;
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::swept_box;
@@ -28,7 +29,6 @@ use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::session::Moved;
-use ccd_core::narrow_phase::cascade::needed_gap;
 use ccd_core::{Aabb, Error};
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
@@ -47,6 +47,8 @@ pub struct Prepared {
     scan: Scan,
     table: Vec<[f32; WIDTH]>,
     units: Table,
+    /// Whether there are boxes of this call's leaves at both ends.
+    asks_ends: bool,
     /// How far oriented boxes of triangles are grown, if they have any.
     contact_reach: Option<f32>,
     pub vertices: Feature<1>,
@@ -75,6 +77,7 @@ impl Prepared {
             table: Vec::new(),
             units: Table::AS_GIVEN,
             contact_reach: None,
+            asks_ends: false,
             // Vertices are only sought in faces.
             vertices: Feature::new(0, false),
             edges: Feature::new(1, true),
@@ -163,11 +166,10 @@ impl Prepared {
         }
     }
 
-    /// Checks coordinates, fills the table and sweeps all boxes.
+    /// Checks coordinates, fills the table and sweeps the boxes of vertices.
     pub fn boxes(
         &mut self,
         threads: &Threads,
-        mesh: &Mesh,
         options: &Options,
         x: &Positions,
     ) -> Result<(), Error> {
@@ -188,18 +190,7 @@ impl Prepared {
             self.still.forget();
             self.whole = true;
         }
-        made?;
-        let Self { vertices, edges, faces, still, .. } = self;
-        let vertices = &vertices.boxes;
-        threads.resize(&mut edges.boxes, mesh.edges().len(), || Aabb::EMPTY);
-        threads.resize(&mut faces.boxes, mesh.faces().len(), || Aabb::EMPTY);
-        let (edges, faces) = (&mut edges.boxes, &mut faces.boxes);
-        threads.together(
-            || still.fill(threads, 1, edges, |i| swept_box::edge(i, mesh.edges(), vertices)),
-            || still.fill(threads, 2, faces, |i| swept_box::face(i, mesh.faces(), vertices)),
-            || {},
-        );
-        Ok(())
+        made
     }
 
     /// What workers read of a step whose boxes and trees are there, to find contacts in `window`.
@@ -226,6 +217,7 @@ impl Prepared {
             table_error: self.units.error,
             table_distance: self.units.distance(options.min_distance),
             needed_gap: self.needed_gap(options),
+            asks_ends: self.asks_ends || self.triangles.is_some(),
             min_distance: options.min_distance,
             decider: Decider::new(options, window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
@@ -247,6 +239,7 @@ impl Prepared {
         x: &Positions,
     ) -> Result<bool, Error> {
         let first = !x.again;
+        self.asks_ends = false;
         if let Some(triangles) = &mut self.triangles {
             // What is free during the whole step is free during a shorter one.
             if first {
@@ -256,7 +249,7 @@ impl Prepared {
             self.whole = true;
             return Ok(rebuilt);
         }
-        let Self { whole, vertices, edges, faces, table, still, rigid, .. } = self;
+        let Self { whole, vertices, edges, faces, still, rigid, .. } = self;
         let mut keeps = Keeps { still: still.holds(), posed: rigid.is_on(), free: None };
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
@@ -270,30 +263,40 @@ impl Prepared {
                 let blocks = |set| Some(still.movers.blocks(set));
                 of_sets = [0, 1, 2].map(|set| Keeps { free: blocks(set), ..keeps });
             }
+            let of_vertices = &vertices.boxes[..];
+            let (v, e, f) = (&mut vertices.leaves, &mut edges.leaves, &mut faces.leaves);
             threads.together(
-                || vertices.take_boxes(threads, of_sets[0]),
-                || edges.take_boxes(threads, of_sets[1]),
-                || faces.take_boxes(threads, of_sets[2]),
+                || v.sweep(threads, of_vertices, of_sets[0]),
+                || e.sweep(threads, of_vertices, of_sets[1]),
+                || f.sweep(threads, of_vertices, of_sets[2]),
             );
             let mut looseness = [0.0; 3];
-            let [v, e, f] = &mut looseness;
+            let [of_v, of_e, of_f] = &mut looseness;
             method.each_set(
                 threads,
                 [
-                    &mut |order| *v = vertices.fit(threads, order),
-                    &mut |order| *e = edges.fit(threads, order),
-                    &mut |order| *f = faces.fit(threads, order),
+                    &mut |order| *of_v = v.fit(threads, order),
+                    &mut |order| *of_e = e.fit(threads, order),
+                    &mut |order| *of_f = f.fit(threads, order),
                 ],
             );
             loose = first && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
         if loose {
-            let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
+            let (of_edges, of_faces) = (mesh.edges(), mesh.faces());
+            let (of_vertices, e, f) = (&vertices.boxes[..], &mut edges.boxes, &mut faces.boxes);
+            threads.resize(e, of_edges.len(), || Aabb::EMPTY);
+            threads.resize(f, of_faces.len(), || Aabb::EMPTY);
+            threads.together(
+                || threads.fill(e, |i| swept_box::edge(i, of_edges, of_vertices)),
+                || threads.fill(f, |i| swept_box::face(i, of_faces, of_vertices)),
+                || {},
+            );
+            let sets: [&[_]; 3] = [of_vertices, e, f];
             method.order().survey(threads, &sets)?;
             // What stands where it stood keeps its order.
             let keep = (self.built && keeps.still, &*rigid);
             self.built = true;
-            let (of_edges, of_faces) = (mesh.edges(), mesh.faces());
             method.each_set(
                 threads,
                 [
@@ -319,12 +322,9 @@ impl Prepared {
             leaves.pose(threads, method, v, boxes, still);
         }
         let holds = !loose && still.holds_table();
-        let table = &table[..];
-        threads.together(
-            || vertices.leaves.place(threads, table, holds),
-            || edges.leaves.place(threads, table, holds),
-            || faces.leaves.place(threads, table, holds),
-        );
+        vertices.leaves.change_ends(holds);
+        edges.leaves.change_ends(holds);
+        faces.leaves.change_ends(holds);
         *whole = true;
         Ok(loose)
     }
@@ -341,43 +341,27 @@ impl Prepared {
         if !self.built || !method.order().outlasts_motion() {
             return self.leaves(threads, method, (mesh, options), rules, x).map(|_| ());
         }
-        self.edges.take_boxes(threads, Keeps::default());
-        self.edges.fit(threads, method.order());
-        self.faces.take_boxes(threads, Keeps::default());
-        self.faces.fit(threads, method.order());
+        let Self { vertices, edges, faces, .. } = self;
+        edges.leaves.sweep(threads, &vertices.boxes, Keeps::default());
+        edges.leaves.fit(threads, method.order());
+        faces.leaves.sweep(threads, &vertices.boxes, Keeps::default());
+        faces.leaves.fit(threads, method.order());
         // Everything else is of an earlier step.
         self.still.forget();
         self.whole = true;
         Ok(())
     }
 
-    /// The gap along an axis that keeps two features apart, in the unit of the table.
-    fn needed_gap(&self, options: &Options) -> f32 {
-        needed_gap(self.units.error, self.units.distance(options.min_distance))
-    }
-
-    /// Has the method leave out, of this step, pairs of features that an axis keeps apart at all
-    /// times that matter; they are not counted as candidates then. Not of pairs of triangles.
-    pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, options: &Options) {
-        let gap = self.needed_gap(options);
-        if self.triangles.is_none() {
-            self.vertices.leaves.hand_on_ends(threads, method, gap);
-            self.edges.leaves.hand_on_ends(threads, method, gap);
-            self.faces.leaves.hand_on_ends(threads, method, gap);
-        }
-    }
-
     /// How many boxes were swept: those that a shorter time has anew.
-    pub fn n_swept(&self) -> usize {
-        let Self { vertices, edges, faces, still, rigid, .. } = self;
-        let n = [vertices.boxes.len(), edges.boxes.len(), faces.boxes.len()];
+    pub fn n_swept(&self, mesh: &Mesh) -> usize {
+        let Self { still, rigid, .. } = self;
+        let n = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()];
         let n_made = |(set, n)| still.n_made(set, n);
         n.into_iter().enumerate().map(n_made).sum::<usize>() + rigid.n_near()
     }
 
-    /// Swept boxes of all features.
-    pub fn feature_boxes(&self) -> FeatureBoxes<'_> {
-        let Self { vertices, edges, faces, .. } = self;
-        FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes }
+    /// Swept boxes of vertices.
+    pub fn of_vertices(&self) -> &[Aabb<f32>] {
+        &self.vertices.boxes
     }
 }

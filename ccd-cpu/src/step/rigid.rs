@@ -14,7 +14,8 @@ mod body;
 mod trees;
 
 use crate::broad_phase::block_bvh::BlockBvh;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, join};
+use crate::broad_phase::leaf_boxes::LeafBoxes;
+use crate::broad_phase::runs::join;
 use crate::simd::WIDTH;
 use crate::threads::Threads;
 use body::Way;

@@ -166,15 +166,9 @@ impl Still {
         (self.made, self.table) = (None, None);
     }
 
-    /// Boxes of set `set`, but for those that hold, and those of edges and faces that are posed.
-    pub fn fill<B: Send>(
-        &self,
-        threads: &Threads,
-        set: usize,
-        boxes: &mut [B],
-        f: impl Fn(usize) -> B + Sync,
-    ) {
-        match self.made(set) {
+    /// Boxes of vertices, but for those that hold.
+    pub fn fill<B: Send>(&self, threads: &Threads, boxes: &mut [B], f: impl Fn(usize) -> B + Sync) {
+        match self.made(0) {
             Some(runs) => threads.fill_in(boxes, runs, f),
             None => threads.fill(boxes, f),
         }

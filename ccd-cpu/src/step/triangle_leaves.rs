@@ -5,12 +5,13 @@
 //! no test asks who represents what.
 
 use crate::broad_phase::keep;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
-use crate::simd::{Block, EMPTY, WIDTH};
+use crate::simd::{Block, EMPTY, WIDTH, set_lane};
 use crate::step::candidates::Given;
-use crate::step::leaves::{Side, ends};
+use crate::step::leaf_ends::ends;
+use crate::step::leaves::{Side, feature_box};
 use crate::step::selection::BlockBodies;
 use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
@@ -90,14 +91,6 @@ pub struct Ends {
     pub corners: [[Block; 2]; 3],
     pub sides: [[Block; 2]; 3],
     pub face: [Block; 2],
-}
-
-/// Swept boxes of all features of a mesh.
-#[derive(Clone, Copy)]
-pub struct FeatureBoxes<'a> {
-    pub vertices: &'a [Aabb<f32>],
-    pub edges: &'a [Aabb<f32>],
-    pub faces: &'a [Aabb<f32>],
 }
 
 impl TriangleLeaves {
@@ -187,7 +180,7 @@ impl TriangleLeaves {
     }
 
     /// Boxes of features, during the step and at its ends, and regions.
-    pub fn place(&mut self, threads: &Threads, aabbs: FeatureBoxes, table: &[[f32; WIDTH]]) {
+    pub fn place(&mut self, threads: &Threads, of_vertices: &[Aabb<f32>], table: &[[f32; WIDTH]]) {
         let (blocks, boxes) = (&self.blocks, &self.boxes);
         if let Some(regions) = &self.regions {
             let of_face = regions.of_face();
@@ -197,7 +190,7 @@ impl TriangleLeaves {
             });
         }
         self.features.resize(blocks.len(), [EMPTY; 6]);
-        threads.fill(&mut self.features, |i| features(&blocks[i], aabbs));
+        threads.fill(&mut self.features, |i| features(&blocks[i], of_vertices));
         let none = Ends { corners: [[EMPTY; 2]; 3], sides: [[EMPTY; 2]; 3], face: [EMPTY; 2] };
         self.ends.resize(blocks.len(), none);
         threads.fill(&mut self.ends, |i| {
@@ -325,7 +318,7 @@ fn block(triangles: &Triangles, repeats: bool, boxes: &LeafBoxes, i: usize) -> T
 }
 
 /// Boxes of what the triangles of a block test.
-fn features(block: &TriangleBlock, aabbs: FeatureBoxes) -> [Block; 6] {
+fn features(block: &TriangleBlock, of_vertices: &[Aabb<f32>]) -> [Block; 6] {
     let mut out = [EMPTY; 6];
     for (k, into) in out.iter_mut().enumerate() {
         let mut rest = block.tests[k];
@@ -333,11 +326,11 @@ fn features(block: &TriangleBlock, aabbs: FeatureBoxes) -> [Block; 6] {
             let j = rest.trailing_zeros() as usize;
             rest &= rest - 1;
             let aabb = if k < 3 {
-                &aabbs.vertices[block.corners[k][j] as usize]
+                feature_box([block.corners[k][j]], of_vertices)
             } else {
-                &aabbs.edges[block.sides[k - 3][j] as usize]
+                feature_box(block.side(k - 3).map(|ids| ids[j]), of_vertices)
             };
-            set_lane(into, j, aabb);
+            set_lane(into, j, &aabb);
         }
     }
     out

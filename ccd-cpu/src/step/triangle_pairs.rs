@@ -8,24 +8,24 @@
 use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::simd::{RowSimd, WIDTH};
 use crate::step::candidates::{Scene, Take, shared};
-use crate::step::leaves::Side;
-use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves, TriangleSide};
+use crate::step::leaves::{Side, feature_box};
+use crate::step::triangle_leaves::{TriangleLeaves, TriangleSide};
 use crate::threads::Threads;
+use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::candidate::{is_corner, share_vertex};
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::triangle_pairs::Test;
 use ccd_core::backend::triangle_pairs::free_regions::NONE;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::report::TriangleCounts;
-use ccd_core::narrow_phase::separating_direction::axis_separated;
-use ccd_core::{Aabb, Num};
 use std::marker::PhantomData;
 
 /// Triangles against triangles.
 pub struct TrianglePairs<'a, W> {
     pub scene: &'a Scene<'a>,
     pub leaves: &'a TriangleLeaves,
-    pub boxes: FeatureBoxes<'a>,
+    /// Of vertices.
+    pub boxes: &'a [Aabb<f32>],
     /// The one kind that is wanted, or both.
     pub only: Option<Kind>,
     pub worker: PhantomData<fn(W)>,
@@ -239,15 +239,11 @@ impl<W: Take> TrianglePairs<'_, W> {
         match kind {
             Kind::VertexFace => {
                 debug_assert!(!is_corner(v0, [v1, v2, v3]));
-                let boxes =
-                    [&self.boxes.vertices[pair.a as usize], &self.boxes.faces[pair.b as usize]];
-                self.test_of(worker, (kind, pair, apart), boxes, [v0], [v1, v2, v3]);
+                self.test_of(worker, (kind, pair, apart), [v0], [v1, v2, v3]);
             }
             _ => {
                 debug_assert!(!share_vertex([v0, v1], [v2, v3]));
-                let edges = self.boxes.edges;
-                let boxes = [&edges[pair.a as usize], &edges[pair.b as usize]];
-                self.test_of(worker, (kind, pair, apart), boxes, [v0, v1], [v2, v3]);
+                self.test_of(worker, (kind, pair, apart), [v0, v1], [v2, v3]);
             }
         }
     }
@@ -256,36 +252,18 @@ impl<W: Take> TrianglePairs<'_, W> {
         &self,
         worker: &mut W,
         (kind, pair, apart): (Kind, Pair, bool),
-        boxes: [&Aabb<f32>; 2],
         a: [u32; N],
         b: [u32; M],
     ) {
-        if !boxes[0].overlaps(boxes[1])
+        if !feature_box(a, self.boxes).overlaps(&feature_box(b, self.boxes))
             || self.scene.slack.is_some() && !self.scene.boxes_overlap(a, b)
             || !self.scene.selection.wants(kind, pair)
         {
             return;
         }
         worker.count(kind, 1);
-        let table = self.scene.table;
-        let axis_apart = || {
-            let (a0, b0) = (bounds(table, a, 0), bounds(table, b, 0));
-            let (a1, b1) = (bounds(table, a, 4), bounds(table, b, 4));
-            axis_separated(&a0, &a1, &b0, &b1, self.scene.needed_gap)
-        };
-        if !(W::FILTERED && (apart || axis_apart())) {
+        if !(W::FILTERED && (apart || self.scene.axis_separated(a, b))) {
             worker.take_one(self.scene, kind, pair);
         }
     }
-}
-
-/// `[min, max]` of positions in the table, from its component `k` on.
-fn bounds<const N: usize>(table: &[[f32; WIDTH]], ids: [u32; N], k: usize) -> [[f32; 3]; 2] {
-    let at = |v: u32| [0, 1, 2].map(|axis| table[v as usize][k + axis]);
-    let first = at(ids[0]);
-    ids.iter().skip(1).fold([first; 2], |[min, max], &v| {
-        let p = at(v);
-        let lesser = [0, 1, 2].map(|axis| Num::min(min[axis], p[axis]));
-        [lesser, [0, 1, 2].map(|axis| Num::max(max[axis], p[axis]))]
-    })
 }

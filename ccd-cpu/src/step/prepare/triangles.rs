@@ -3,7 +3,6 @@
 use super::{MAX_LOOSENESS, Prepared};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
-use crate::step::triangle_leaves::FeatureBoxes;
 use crate::threads::Threads;
 use ccd_core::Error;
 use ccd_core::backend::rules::Rules;
@@ -17,11 +16,9 @@ impl Prepared {
         rules: Option<&Rules>,
         first: bool,
     ) -> Result<bool, Error> {
-        let Self { vertices, edges, faces, triangles, table, built, contact_reach, .. } = self;
-        let boxes =
-            FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes };
+        let Self { vertices, triangles, table, built, contact_reach, .. } = self;
         let Some(leaves) = triangles else { return Ok(false) };
-        leaves.sweep(threads, boxes.vertices);
+        leaves.sweep(threads, &vertices.boxes);
         let mut loose = !*built || !method.order().outlasts_motion();
         if !loose {
             loose = leaves.refit(threads, method) > MAX_LOOSENESS && first;
@@ -30,7 +27,7 @@ impl Prepared {
             leaves.build(threads, method, rules)?;
             *built = true;
         }
-        leaves.place(threads, boxes, table);
+        leaves.place(threads, &vertices.boxes, table);
         leaves.orient(threads, table, *contact_reach);
         Ok(loose)
     }

@@ -54,9 +54,9 @@ impl Prepared {
         let boxes = &mut vertices.boxes;
         threads.resize(boxes, x.x0.len(), || Aabb::EMPTY);
         if x.times.whole() {
-            still.fill(threads, 0, boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
+            still.fill(threads, boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
         } else {
-            still.fill(threads, 0, boxes, |i| {
+            still.fill(threads, boxes, |i| {
                 if x.x0[i] == x.x1[i] {
                     // Where it is at any time is exact; and so it stays the box of the whole step.
                     return swept_box::vertex(i, x.x0, x.x1, margin);

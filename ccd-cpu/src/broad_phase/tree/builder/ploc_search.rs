@@ -2,8 +2,7 @@
 //!
 //! Twin: none; on a GPU a thread looks for the neighbour of a cluster.
 
-use crate::broad_phase::leaf_boxes::block_of;
-use crate::simd::{Block, EMPTY, F32x8, Mask, RowSimd, WIDTH, Work};
+use crate::simd::{Block, EMPTY, F32x8, Mask, RowSimd, WIDTH, Work, block_of};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::ploc::{self, distance, prefers};
 use ccd_core::model::method::Builder;
