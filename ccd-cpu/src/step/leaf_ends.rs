@@ -127,8 +127,8 @@ pub fn lengths<const N: usize>(
     lengths
 }
 
-/// About so many blocks of eight blocks are measured.
-const SAMPLES: usize = 64;
+/// About so many blocks of eight blocks are measured, by one thread.
+const SAMPLES: usize = 16;
 
 /// The boxes of eight features at both ends, from the table of positions.
 pub fn ends<const N: usize>(table: &[[f32; WIDTH]], vertices: &[[u32; WIDTH]; N]) -> [Block; 2] {
