@@ -35,7 +35,7 @@ pub struct Keeps<'a> {
     pub posed: bool,
 }
 
-/// Makes blocks of boxes from that of the given number on, of these ids.
+/// Fills blocks with boxes: given the number of the first block, and the ids of each.
 pub type Make<'a> = dyn Fn(usize, &[[u32; WIDTH]], &mut [Block]) + Sync + 'a;
 
 /// The sets of a search: one against another, or, without another, within one.

@@ -65,7 +65,7 @@ pub trait PairSink: Sync {
         let masks = overlaps(simd, boxes) & wanted;
         self.row_by_row(worker, simd, blocks, masks);
     }
-    /// Takes these pairs of lanes as rows.
+    /// Takes lane `i` of `a` and lane `j` of `b` for each bit `j` of byte `i` of `masks`, as rows.
     #[inline(always)]
     fn row_by_row<S: RowSimd>(
         &self,

@@ -210,7 +210,7 @@ impl<S: Simd> Work<S> for Filter<'_> {
 }
 
 impl Filter<'_> {
-    /// Keeps what no axis keeps apart, which nobody has looked at yet.
+    /// Keeps pairs that no axis separates at both ends, where the search has not asked for that.
     #[inline(never)]
     fn keep_near(&mut self) {
         let Self { pairs, scene, kind } = self;
