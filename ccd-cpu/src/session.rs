@@ -24,7 +24,7 @@ use ccd_core::model::options::Options;
 use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Kept, Moved, State};
 use ccd_core::{Error, Real};
-use passes::{collect, detect, drop_repeated, first_contact, prepare, swept_until};
+use passes::{collect, detect, drop_repeated, ends, first_contact, prepare, swept_until};
 use std::sync::Arc;
 
 mod candidate_set;
@@ -133,7 +133,7 @@ impl session::Engine for Engine {
         threads.stop = memory::stop(None, options, of_mesh)?;
         let selection = Selection::new(options)?;
         let mut prepared = Prepared::new(mesh, options);
-        prepared.set_rules(mesh, selection.rules.as_ref());
+        prepared.set_rules(selection.rules.as_ref());
         Ok(Self {
             codimensional: threads.enter(|| Codimensional::new(mesh, options))?,
             prepared,
@@ -343,7 +343,7 @@ impl Engine {
                     }
                 }
             }
-            prepared.ends(threads, method, options, &x);
+            ends(threads, prepared, method, options, &x, report);
             let scene = prepared.scene((mesh, options), selection, &x, window, !earliest, stop);
             let scene = Scene { latest, ..scene };
             detect(threads, method, prepared, &scene, 1, workers, report);

@@ -149,7 +149,11 @@ impl PairTree for BlockPairs<'_> {
         if self.within && a == b {
             wanted &= UPPER;
         }
-        sink.blocks(worker, simd, (a, b), [&self.leaves_a[a], &self.leaves_b[b]], wanted);
+        let boxes = [&self.leaves_a[a], &self.leaves_b[b]];
+        let masks = overlaps(simd, boxes) & wanted;
+        if masks != 0 {
+            sink.blocks(worker, simd, (a, b), boxes, masks);
+        }
     }
 }
 

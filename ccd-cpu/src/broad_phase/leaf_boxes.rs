@@ -268,7 +268,7 @@ impl LeafBoxes {
         self.build(threads, source, boxes, marks);
     }
 
-    /// Keeps the order of the last build and takes new boxes, see [`LeafBoxes::take`]. Returns how
+    /// Keeps the order of the last build and takes new boxes, see [`LeafBoxes::make`]. Returns how
     /// much looser the source has become since the build, see [`Order::fit`].
     pub fn refit(&mut self, threads: &Threads, source: &mut dyn Order, boxes: &[Aabb<f32>]) -> f64 {
         self.take(threads, boxes, Keeps::default());
@@ -340,7 +340,7 @@ impl LeafBoxes {
     }
 
     /// After [`LeafBoxes::pose`]: has [`LeafBoxes::changed`] say what changed since
-    /// [`LeafBoxes::take`] began, too.
+    /// [`LeafBoxes::make`] began, too.
     pub fn all_changed(&mut self, still: bool) {
         let (moving, n) = (self.n_moving(), self.blocks.len());
         let last = moving..if still { moving } else { n };

@@ -72,7 +72,7 @@ use leaf_boxes::{LeafBoxes, Set};
 use marks::Marks;
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{Overlaps, PairSink, PairSource, overlaps, overlaps_confirmed};
+use pair_source::{Overlaps, PairSink, PairSource, confirmed_overlaps};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -302,15 +302,13 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
         simd: S,
         (a, b): (usize, usize),
         boxes: [&Block; 2],
-        wanted: u64,
+        mut masks: u64,
     ) {
         let (ids_a, ids_b) = (self.a.ids(a), self.b.ids(b));
-        let masks = match self.confirm {
-            Some(confirm) => overlaps_confirmed(simd, boxes, wanted, self.slack, |i, j| {
-                confirm(ids_a[i], ids_b[j])
-            }),
-            None => overlaps(simd, boxes) & wanted,
-        };
+        if let Some(confirm) = self.confirm {
+            let confirmed = |i: usize, j: usize| confirm(ids_a[i], ids_b[j]);
+            masks = confirmed_overlaps(simd, boxes, masks, self.slack, confirmed);
+        }
         if masks != 0
             && let Some(pairs) = lister.room(self.stop, "overlapping boxes", ROOM)
         {

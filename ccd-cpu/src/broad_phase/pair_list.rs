@@ -114,7 +114,7 @@ struct Segment {
 /// limit of memory is near.
 const FIRST: usize = 1 << 12;
 const MOST: usize = 1 << 20;
-const LEAST: usize = 1 << 7;
+const LEAST: usize = 1 << 6;
 
 impl Lister {
     /// Forgets everything, keeps buffers.

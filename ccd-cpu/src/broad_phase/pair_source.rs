@@ -50,22 +50,21 @@ pub trait PairSink: Sync {
     const ORDERED: bool = false;
     /// Takes a row. Must be `#[inline(always)]`, or the instruction set is not enabled inside.
     fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, row: Overlaps);
-    /// Takes what overlaps of blocks `a` and `b`, whose boxes are given: lane `i` of `a` and lane
-    /// `j` of `b` where bit `j` of byte `i` of `wanted` is set. As rows, one after the other, or as
-    /// if they were.
+    /// Takes lane `i` of block `a` and lane `j` of block `b`, which overlap, for each bit `j` of
+    /// byte `i` of `masks`, not 0: as rows, one after the other, or as if they were. `boxes`: those
+    /// of both blocks.
     #[inline(always)]
     fn blocks<S: RowSimd>(
         &self,
         worker: &mut Self::Worker,
         simd: S,
         blocks: (usize, usize),
-        boxes: [&Block; 2],
-        wanted: u64,
+        _boxes: [&Block; 2],
+        masks: u64,
     ) {
-        let masks = overlaps(simd, boxes) & wanted;
         self.row_by_row(worker, simd, blocks, masks);
     }
-    /// Takes lane `i` of `a` and lane `j` of `b` for each bit `j` of byte `i` of `masks`, as rows.
+    /// Takes the same as rows.
     #[inline(always)]
     fn row_by_row<S: RowSimd>(
         &self,
@@ -98,17 +97,16 @@ pub fn overlaps<S: RowSimd>(simd: S, [a, b]: [&Block; 2]) -> u64 {
     masks
 }
 
-/// Those of `wanted` that overlap, where boxes were rounded: by more than `slack`, or `confirmed`,
-/// which is asked for lane `i` of one block and lane `j` of the other.
+/// Those of overlaps of boxes that were rounded which are more than `slack`, or `confirmed`, which
+/// is asked for lane `i` of one block and lane `j` of the other.
 #[inline(always)]
-pub fn overlaps_confirmed<S: RowSimd>(
+pub fn confirmed_overlaps<S: RowSimd>(
     simd: S,
     boxes: [&Block; 2],
-    wanted: u64,
+    mut masks: u64,
     slack: f32,
     confirmed: impl Fn(usize, usize) -> bool,
 ) -> u64 {
-    let mut masks = overlaps(simd, boxes) & wanted;
     let (mut rest, mut unsure) = (masks, masks);
     while rest != 0 {
         let first = rest.trailing_zeros() as usize & !7;

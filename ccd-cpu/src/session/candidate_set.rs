@@ -132,7 +132,7 @@ impl Engine {
         let selection = Selection::new(&options)?;
         let mesh = self.state.mesh.clone();
         let mut prepared = Prepared::new(&mesh, &options);
-        prepared.set_rules(&mesh, selection.rules.as_ref());
+        prepared.set_rules(selection.rules.as_ref());
         let stop = Stop::new(self.threads.stop.token().cloned(), None, 0);
         Ok(CandidateSet {
             pairs: [all.vf.to_vec(), all.ee.to_vec(), all.ve.to_vec(), all.vv.to_vec()],

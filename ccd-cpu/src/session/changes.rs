@@ -59,7 +59,7 @@ impl Engine {
             self.prepared.set_mesh(&mesh, &options);
         }
         if other_rules {
-            self.prepared.set_rules(&mesh, rules.as_ref());
+            self.prepared.set_rules(rules.as_ref());
             self.selection.rules = rules;
         }
         if let Some(method) = method {
@@ -78,7 +78,7 @@ impl Engine {
 
     pub(super) fn set_bodies(&mut self, bodies: Option<Bodies>) -> Result<(), Error> {
         let rules = bodies.as_ref().map(Rules::new).transpose()?;
-        self.prepared.set_rules(&self.state.mesh, rules.as_ref());
+        self.prepared.set_rules(rules.as_ref());
         self.selection.rules = rules;
         self.state.options.bodies = bodies;
         Ok(())

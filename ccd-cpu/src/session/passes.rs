@@ -55,6 +55,20 @@ pub fn prepare(
     threads.stop.check()
 }
 
+/// Boxes at both ends, see [`Prepared::ends`].
+pub fn ends(
+    threads: &Threads,
+    prepared: &mut Prepared,
+    method: &mut Method,
+    options: &Options,
+    x: &Positions,
+    report: &mut Report,
+) {
+    let start = Instant::now();
+    prepared.ends(threads, method, options, x);
+    report.times.build += milliseconds(start);
+}
+
 /// Finds and decides all candidates, or those of every `part`-th task.
 pub fn detect(
     threads: &Threads,

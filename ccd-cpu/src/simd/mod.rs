@@ -11,7 +11,8 @@
 //! | `simd128` (WebAssembly, where a module is built with it) | 8 in two vectors | the same |
 //!
 //! All give the same bits: every operation rounds as IEEE 754 says, nothing is contracted, and the
-//! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does.
+//! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does. (Of
+//! eight numbers it is another comparison by each set: of zeros of both signs any may be chosen.)
 //!
 //! On x86-64 only tests use the portable set: vectorizing it took the compiler as long as all the
 //! rest of this crate.

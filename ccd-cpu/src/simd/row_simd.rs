@@ -8,9 +8,8 @@ use ccd_core::math::real::Mask;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num};
 
-/// Pairs that [`RowSimd::append_rows`] may write: all of two blocks, and a row that it does not
-/// keep.
-pub const ROOM: usize = WIDTH * WIDTH + WIDTH;
+/// Pairs that [`RowSimd::append_rows`] may write: all of two blocks.
+pub const ROOM: usize = WIDTH * WIDTH;
 
 /// An instruction set for rows of eight boxes.
 pub trait RowSimd: Simd {
@@ -109,8 +108,8 @@ pub trait RowSimd: Simd {
     }
 
     /// Takes the first eight bits from the masks of two blocks, see
-    /// [`PairSink::rows`](crate::broad_phase::pair_source::PairSink::rows): the lanes in both, and
-    /// a mask of those that are there, if there are fewer.
+    /// [`PairSink::blocks`](crate::broad_phase::pair_source::PairSink::blocks): the lanes in both,
+    /// and a mask of those that are there, if there are fewer.
     #[inline(always)]
     fn eight(self, masks: &mut u64) -> ([[u32; WIDTH]; 2], u32) {
         let n = masks.count_ones().min(WIDTH as u32);
@@ -183,13 +182,8 @@ pub trait RowSimd: Simd {
     /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
     #[inline(always)]
     fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
-        self.overlaps_surely_each(self.one(a, i), self.boxes(b), slack)
-    }
-
-    /// Lanes in which a box overlaps another by more than `slack`.
-    #[inline(always)]
-    fn overlaps_surely_each(self, a: Aabb<Self::Lanes>, b: Aabb<Self::Lanes>, slack: f32) -> u32 {
-        overlap_surely(&a, &b, Self::Lanes::splat(slack)).bits()
+        let slack = Self::Lanes::splat(slack);
+        overlap_surely(&self.one(a, i), &self.boxes(b), slack).bits()
     }
 }
 

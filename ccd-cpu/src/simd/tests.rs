@@ -110,8 +110,6 @@ impl<S: RowSimd> Work<S> for Rows {
                 out.push(simd.equals_each(&of_a, [&of_b, &[2; WIDTH]]));
                 let ends_a = [simd.picked(&a, &at_a), simd.picked(&b, &at_a)];
                 let ends_b = [simd.picked(&c, &at_b), simd.picked(&d, &at_b)];
-                let sure = simd.overlaps_surely_each(ends_a[0], ends_b[0], 0.5);
-                out.push(sure & mask);
                 out.push(simd.separated_each(ends_a, ends_b, 0.125) & mask);
                 simd.append_each::<true>(&mut pairs, &of_a, &of_b, mask);
                 simd.append_each::<false>(&mut pairs, &of_a, &of_b, mask);

@@ -6,7 +6,7 @@ pub use ccd_core::model::precision::Given;
 
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
-use crate::broad_phase::pair_source::{Overlaps, PairSink, overlaps, overlaps_confirmed};
+use crate::broad_phase::pair_source::{Overlaps, PairSink, confirmed_overlaps};
 use crate::simd::{Block, ROOM, RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
@@ -277,22 +277,22 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
         simd: S,
         (a, b): (usize, usize),
         boxes: [&Block; 2],
-        wanted: u64,
+        mut masks: u64,
     ) {
         const { assert!(N != 3, "a face would come before its vertex") };
         let scene = self.scene;
         let asks_ends = W::FILTERED && scene.asks_ends;
         if scene.selection.selects() || asks_ends && !S::PICKS {
-            let masks = overlaps(simd, boxes) & wanted;
             return self.row_by_row(worker, simd, (a, b), masks);
         }
         let (of_a, of_b) = ((self.a, a), (self.b, b));
-        let masks = match scene.slack {
-            Some(slack) => overlaps_confirmed(simd, boxes, wanted, slack, |i, j| {
-                scene.boxes_overlap(of_a.vertices_of(i), of_b.vertices_of(j))
-            }),
-            None => overlaps(simd, boxes) & wanted,
-        };
+        if let Some(slack) = scene.slack {
+            masks = confirmed_overlaps(simd, boxes, masks, slack, |i, j| {
+                let (a, b) = (of_a.vertices_of(i), of_b.vertices_of(j));
+                // Of features that share a vertex, which are no candidates, many are so.
+                a.iter().any(|v| b.contains(v)) || scene.boxes_overlap(a, b)
+            });
+        }
         if masks == 0 {
             return;
         }

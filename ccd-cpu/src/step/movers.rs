@@ -5,7 +5,6 @@
 use crate::broad_phase::runs::join;
 use crate::simd::WIDTH;
 use ccd_core::backend::rules::Rules;
-use ccd_core::model::mesh::Mesh;
 use ccd_core::model::session::RunsOfBodies;
 use std::ops::Range;
 
@@ -17,7 +16,7 @@ const ONE_OF: usize = 4;
 /// has no such call.
 pub const IS_TOLD: bool = !cfg!(target_family = "wasm");
 
-/// What moves, by set: vertices, edges, faces.
+/// What moves; sets are vertices, edges, faces.
 #[derive(Debug, Default)]
 pub struct Movers {
     /// Whether boxes of all else hold in this call.
@@ -27,27 +26,21 @@ pub struct Movers {
     /// The bodies of these, by number, and those of them that are not moved by their trees.
     bodies: Vec<u32>,
     unposed: Vec<u32>,
-    /// Elements that are made anew.
-    made: [Vec<Range<usize>>; 3],
-    /// Blocks of leaves that are.
+    /// Vertices that have new boxes.
+    vertices: Vec<Range<usize>>,
+    /// By set: blocks of leaves that do.
     blocks: [Vec<Range<usize>>; 3],
-    /// By body: elements, and blocks of leaves. Made when they are needed.
-    elements: Option<[RunsOfBodies; 3]>,
+    /// By body: vertices, and by set blocks of leaves. Made when they are needed.
+    of_bodies: Option<RunsOfBodies>,
     leaves: Option<[RunsOfBodies; 3]>,
 }
 
 impl Movers {
     /// Begins a call in which vertices in `runs`, each of one body, are elsewhere than before.
     /// `posed`: whether a vertex is of a body whose edges and faces are moved by its tree.
-    pub fn begin(
-        &mut self,
-        mesh: &Mesh,
-        rules: &Rules,
-        runs: &[Range<u32>],
-        posed: impl Fn(u32) -> bool,
-    ) {
+    pub fn begin(&mut self, rules: &Rules, runs: &[Range<u32>], posed: impl Fn(u32) -> bool) {
         self.pause();
-        let most = mesh.n_vertices() / ONE_OF;
+        let most = rules.words().len() / ONE_OF;
         // A vertex that moves in both calls is in two runs.
         if runs.iter().map(|run| run.len()).sum::<usize>() > 2 * most {
             return;
@@ -66,22 +59,12 @@ impl Movers {
             bodies.sort_unstable();
             bodies.dedup();
         }
-        let elements = self.elements.get_or_insert_with(|| {
-            let (edges, faces) = (mesh.edges(), mesh.faces());
-            let vertices = (0..).zip(rules.words()).map(|(v, word)| (word >> 2, v));
-            [
-                RunsOfBodies::new(vertices),
-                RunsOfBodies::new((0..).zip(edges).map(|(e, ids)| (number(ids[0]), e))),
-                RunsOfBodies::new((0..).zip(faces).map(|(f, ids)| (number(ids[0]), f))),
-            ]
+        let of_bodies = self.of_bodies.get_or_insert_with(|| {
+            RunsOfBodies::new((0..).zip(rules.words()).map(|(v, word)| (word >> 2, v)))
         });
-        let [vertices, edges, faces] = elements;
-        let [of_vertices, of_edges, of_faces] = &mut self.made;
-        // Vertices have boxes in any case.
-        gather(vertices, &self.bodies, of_vertices);
-        gather(edges, &self.unposed, of_edges);
-        gather(faces, &self.unposed, of_faces);
-        self.few = of_vertices.iter().map(|run| run.len()).sum::<usize>() <= most;
+        // Also vertices of what is posed.
+        gather(of_bodies, &self.bodies, &mut self.vertices);
+        self.few = self.vertices.iter().map(|run| run.len()).sum::<usize>() <= most;
     }
 
     /// Has a call make all boxes.
@@ -99,9 +82,9 @@ impl Movers {
         IS_TOLD && self.on
     }
 
-    /// Elements of a set that are made anew.
-    pub fn made(&self, set: usize) -> &[Range<usize>] {
-        &self.made[set]
+    /// Vertices that have new boxes.
+    pub fn vertices(&self) -> &[Range<usize>] {
+        &self.vertices
     }
 
     /// Forgets the order of leaves.

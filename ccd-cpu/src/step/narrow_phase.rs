@@ -184,7 +184,8 @@ impl Take for Worker {
 }
 
 /// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then
-/// what is left at the times at which it may be coplanar, clipped once and twice.
+/// what is left at the times at which it may be coplanar, clipped once and twice; and of that what
+/// no axis separates at both ends, where the search has not asked.
 struct Filter<'a> {
     pairs: &'a mut Vec<Pair>,
     scene: &'a Scene<'a>,

@@ -89,8 +89,8 @@ impl Prepared {
     }
 
     /// Takes other rules; the next step sorts boxes anew.
-    pub fn set_rules(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
-        self.still.set(mesh, rules);
+    pub fn set_rules(&mut self, rules: Option<&Rules>) {
+        self.still.set(rules);
         self.rigid.clear();
         self.forget_order();
     }
@@ -104,7 +104,6 @@ impl Prepared {
     pub fn set_mesh(&mut self, mesh: &Mesh, options: &Options) {
         self.forget_order();
         self.rigid.clear();
-        self.still.set_posed(mesh, None, None);
         match (options.pipeline, &mut self.triangles) {
             (Pipeline::Triangles(args), Some(kept)) => {
                 kept.set_mesh(mesh, args, options.min_distance);
@@ -156,12 +155,11 @@ impl Prepared {
         match (rules, x.moved.filter(|_| takes)) {
             // Where trees of bodies come or go, or are paused, other boxes are made than before.
             (Some(rules), Some(moved)) if !changes && rigid.is_on() == rigid.is_there() => {
-                still.movers.begin(mesh, rules, moved.runs, is_posed);
+                still.movers.begin(rules, moved.runs, is_posed);
             }
             _ => still.movers.pause(),
         }
         if changes {
-            still.set_posed(mesh, rules, rigid.is_there().then_some(&is_posed));
             self.forget_order();
         }
     }
@@ -180,7 +178,6 @@ impl Prepared {
         if x.moved.is_none() {
             self.rigid.pause();
         }
-        self.still.skip_posed(self.rigid.is_on());
         let made = match x.given {
             Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
             Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
@@ -352,12 +349,14 @@ impl Prepared {
         Ok(())
     }
 
-    /// How many boxes were swept: those that a shorter time has anew.
+    /// About how many boxes were swept: those that a shorter time has anew.
     pub fn n_swept(&self, mesh: &Mesh) -> usize {
-        let Self { still, rigid, .. } = self;
-        let n = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()];
-        let n_made = |(set, n)| still.n_made(set, n);
-        n.into_iter().enumerate().map(n_made).sum::<usize>() + rigid.n_near()
+        let leaves = match &self.triangles {
+            Some(triangles) => [triangles.boxes.changed(), &[]],
+            None => [self.edges.leaves.boxes.changed(), self.faces.leaves.boxes.changed()],
+        };
+        let n_blocks: usize = leaves.iter().copied().flatten().map(|run| run.len()).sum();
+        self.still.n_made(mesh.n_vertices()) + WIDTH * n_blocks
     }
 
     /// Swept boxes of vertices.

@@ -16,7 +16,6 @@ mod trees;
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::runs::join;
-use crate::simd::WIDTH;
 use crate::threads::Threads;
 use body::Way;
 use ccd_core::Aabb;
@@ -79,11 +78,6 @@ impl RigidTrees {
     /// By set: runs of blocks that something is near, numbered from the first posed one on.
     pub fn runs(&self) -> &[Vec<Range<usize>>; 3] {
         &self.runs
-    }
-
-    /// About so many edges and faces are in clumps that something is near.
-    pub fn n_near(&self) -> usize {
-        self.runs[1..].iter().flatten().map(|run| WIDTH * run.len()).sum()
     }
 
     /// Forgets all bodies; whether there were any.

@@ -3,14 +3,13 @@
 //!
 //! Vertices of such bodies are compared with where they were in the step before, in the pass that
 //! looks for those that move and must not. If all are there, parts of the boxes that are theirs
-//! alone are left as they are: of vertices, of leaves, and of the table, if that
-//! has the same origin and unit. A call that is told what moves leaves all else (`movers.rs`).
+//! alone are left as they are: of vertices, of leaves, and of the table, if that has the same origin
+//! and unit. A call that is told what moves leaves all else (`movers.rs`).
 
 use crate::step::movers::Movers;
 use crate::threads::Threads;
 use ccd_core::backend::quantization::Table;
 use ccd_core::backend::rules::{Rules, moves};
-use ccd_core::model::mesh::Mesh;
 use ccd_core::{Error, Real};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
@@ -25,59 +24,26 @@ pub struct Still {
     /// Where they were; NaN after they moved.
     at: Vec<[f64; 3]>,
     may_move: bool,
-    /// By set: runs of elements that may move, in whole parts.
-    moving: [Vec<Range<usize>>; 3],
+    /// Runs of vertices that may move, in whole parts.
+    moving: Vec<Range<usize>>,
     /// What boxes depend on besides positions: size of the input's numbers, bits of the distance.
     made: Option<(u32, u64)>,
     table: Option<Table>,
     holds: bool,
     holds_table: bool,
-    posed: Option<Box<Posed>>,
-    /// Whether this call skips what is posed.
-    skips: bool,
     /// What moves, where that is told.
     pub movers: Movers,
 }
 
-/// By set: what is made beside bodies that move rigidly, whose vertices are.
-#[derive(Debug)]
-struct Posed {
-    moving: [Vec<Range<usize>>; 3],
-    all: [Vec<Range<usize>>; 3],
-}
-
 impl Still {
     /// Takes other rules.
-    pub fn set(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
+    pub fn set(&mut self, rules: Option<&Rules>) {
         *self = Self::default();
         let Some(rules) = rules.filter(|rules| !rules.still().is_empty()) else { return };
         self.vertices = rules.still().to_vec();
         self.at = vec![[f64::NAN; 3]; self.vertices.len()];
         self.may_move = rules.may_move();
-        self.moving = runs_of_sets(mesh, |v| !rules.is_still(v));
-    }
-
-    /// From now on, in calls that skip them, no boxes are made of the edges and faces of these
-    /// vertices' bodies, which move rigidly.
-    pub fn set_posed(
-        &mut self,
-        mesh: &Mesh,
-        rules: Option<&Rules>,
-        posed: Option<&dyn Fn(u32) -> bool>,
-    ) {
-        self.posed = posed.map(|posed| {
-            let is_still = |v: u32| rules.is_some_and(|rules| rules.is_still(v));
-            let mut moving = runs_of_sets(mesh, |v| !is_still(v) && !posed(v));
-            let mut all = runs_of_sets(mesh, |v| !posed(v));
-            moving[0] = runs(mesh.n_vertices(), |v| !is_still(v as u32));
-            all[0] = runs(mesh.n_vertices(), |_| true);
-            Box::new(Posed { moving, all })
-        });
-    }
-
-    /// Whether boxes of what is posed are left out of this call.
-    pub fn skip_posed(&mut self, skips: bool) {
-        self.skips = skips;
+        self.moving = runs(rules.words().len(), |v| !rules.is_still(v as u32));
     }
 
     /// Whether boxes of what stands still are those of the call before.
@@ -85,9 +51,9 @@ impl Still {
         self.holds
     }
 
-    /// Of `n` boxes of set `set`, how many are made anew.
-    pub fn n_made(&self, set: usize, n: usize) -> usize {
-        self.made(set).map_or(n, |runs| runs.iter().map(Range::len).sum())
+    /// Of `n` vertices, how many have new boxes.
+    pub fn n_made(&self, n: usize) -> usize {
+        self.made().map_or(n, |runs| runs.iter().map(Range::len).sum())
     }
 
     /// Whether what was made of the table is, too.
@@ -168,7 +134,7 @@ impl Still {
 
     /// Boxes of vertices, but for those that hold.
     pub fn fill<B: Send>(&self, threads: &Threads, boxes: &mut [B], f: impl Fn(usize) -> B + Sync) {
-        match self.made(0) {
+        match self.made() {
             Some(runs) => threads.fill_in(boxes, runs, f),
             None => threads.fill(boxes, f),
         }
@@ -183,21 +149,18 @@ impl Still {
     ) {
         if self.holds_table {
             let movers = Some(&self.movers).filter(|movers| movers.is_on());
-            threads.fill_in(table, movers.map_or(&self.moving[0], |movers| movers.made(0)), f);
+            threads.fill_in(table, movers.map_or(&self.moving, Movers::vertices), f);
         } else {
             threads.fill(table, f);
         }
     }
 
-    /// The runs of elements of a set that are made anew; `None`: all.
-    fn made(&self, set: usize) -> Option<&[Range<usize>]> {
+    /// The runs of vertices that have new boxes; `None`: all.
+    fn made(&self) -> Option<&[Range<usize>]> {
         if self.movers.is_on() {
-            return Some(self.movers.made(set));
+            return Some(self.movers.vertices());
         }
-        match self.posed.as_ref().filter(|_| self.skips) {
-            Some(posed) => Some(if self.holds { &posed.moving[set] } else { &posed.all[set] }),
-            None => self.holds.then_some(&self.moving[set]),
-        }
+        self.holds.then_some(&self.moving)
     }
 }
 
@@ -214,14 +177,4 @@ fn runs(n: usize, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
         }
     }
     runs
-}
-
-/// The same of sets, by the first vertex of an element.
-fn runs_of_sets(mesh: &Mesh, holds: impl Fn(u32) -> bool) -> [Vec<Range<usize>>; 3] {
-    let (edges, faces) = (mesh.edges(), mesh.faces());
-    [
-        runs(mesh.n_vertices(), |i| holds(i as u32)),
-        runs(edges.len(), |i| holds(edges[i][0])),
-        runs(faces.len(), |i| holds(faces[i][0])),
-    ]
 }
