@@ -5,6 +5,7 @@
 use ccd::method::{BroadPhaseMethod, Builder, Front, Pipeline, Scheduling, Traversal, TreeOptions};
 use ccd::{Bodies, BodyMotion, CancelToken, Error, Mesh, Options, Posed, Session, Strided};
 use ccd_testkit::generate::crumpled_sheet;
+use ccd_testkit::is_whole;
 use ccd_testkit::methods::is_near_default;
 use libtest_mimic::{Arguments, Trial};
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -42,7 +43,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Allocations of each of 24 steps after 12 to warm up.
+/// Allocations of each of some steps after others to warm up: 12 each, or without
+/// [`WHOLE`](ccd_testkit::WHOLE) of one thread 6, after which all repeats.
 fn count(
     threads: usize,
     broad_phase: BroadPhaseMethod,
@@ -70,10 +72,11 @@ fn count(
         }
         CALLS.load(Ordering::Relaxed) - before
     };
-    for i in 0..12 {
+    let n = if threads > 1 || is_whole() { 12 } else { 6 };
+    for i in 0..n {
         one(&mut session, i);
     }
-    (12..24).map(|i| one(&mut session, i)).collect()
+    (n..2 * n).map(|i| one(&mut session, i)).collect()
 }
 
 fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
@@ -172,7 +175,7 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
     // One, and for blocks also many worlds, of which each begins with a block of its own.
     // Forms: 0, particles; 1, a sheet; 2, rods among particles.
     let n_scenes = if method == BroadPhaseMethod::Blocks { 5 } else { 4 };
-    let scenes = [(90, 1, 1, 1), (90, 1, 2, 1), (90, 1, 1, 0), (90, 1, 1, 2), (4, 500, 1, 1)];
+    let scenes = [(64, 1, 1, 1), (64, 1, 2, 1), (64, 1, 1, 0), (64, 1, 1, 2), (4, 500, 1, 1)];
     for (side, copies, threads, form) in scenes.into_iter().take(n_scenes) {
         let mut sheet = crumpled_sheet(side, 1);
         // A bowl, of which nothing touches anything.

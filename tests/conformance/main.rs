@@ -27,9 +27,9 @@ use ccd::method::{BroadPhaseMethod, Builder, Catalogued, Scheduling};
 use ccd::scenes::{Step, triangle_soup};
 use ccd::{Aabb, Contact, Digest, Mesh, Mode, Options, Pair, State};
 use ccd_testkit::compare::{self, agree, contact_digest, step_text};
-use ccd_testkit::data;
+use ccd_testkit::{WHOLE, data, is_whole};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
-use rows::{WGSL, WHOLE, is_emulated, is_whole, methods, not_too_slow, pipelines, schedulings};
+use rows::{WGSL, is_emulated, methods, not_too_slow, pipelines, schedulings};
 use scenes::{GENERATED, Loaded, Motion, Source, Want, load_boxes, load_motion};
 use std::sync::Arc;
 

@@ -8,6 +8,7 @@ use ccd::method::{
     BroadPhaseMethod, Builder, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
     TriangleOptions, Volume,
 };
+use ccd_testkit::is_whole;
 use ccd_testkit::methods::{differences, is_near_default};
 
 /// The path on which no worker takes from another.
@@ -19,18 +20,11 @@ const MAX_EDGES_EMULATED: usize = 50_000;
 /// Brute force over more boxes is left out there, and the tree by nearest pairs.
 const MAX_BOXES_EMULATED: usize = 10_000;
 
-/// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
-/// run by the default, the default tree and the grid of a CPU, and an emulated GPU has trees that
-/// differ from the default tree in one choice, or have a kernel of their own, and no brute force
-/// over many boxes; through WGSL it has the default and the default tree.
-pub const WHOLE: &str = "CCD_WHOLE";
-
-/// Whether nothing is left out.
-pub fn is_whole() -> bool {
-    std::env::var(WHOLE).is_ok_and(|v| v == "1")
-}
-
-/// The methods of a backend by which a scene is run.
+/// The methods of a backend by which a scene is run: with [`WHOLE`](ccd_testkit::WHOLE) by all of
+/// them, which takes hours. Without it real scenes are run by the default, the default tree and the
+/// grid of a CPU, and an emulated GPU has trees that differ from the default tree in one choice, or
+/// have a kernel of their own, and no brute force over many boxes; through WGSL it has the default
+/// and the default tree.
 pub fn methods(
     source: Source,
     backend: &'static str,

@@ -5,9 +5,7 @@ use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{Device, Path};
 use ccd::method::BroadPhaseMethod;
 use ccd_testkit::methods::{differences, is_near_default};
-
-/// Set to 1, this variable has nothing left out.
-const WHOLE: &str = "CCD_WHOLE";
+use ccd_testkit::{WHOLE, is_whole};
 
 /// Of the five devices two are run by all tests: the most native, with `f64`, and the most
 /// portable, WGSL without. Two between them are run by these tests, of boxes and of arithmetic, and
@@ -57,8 +55,7 @@ const LONGEST: &str = "dense_exclusions";
 
 /// Whether a test leaves out what others show: threads of this machine do the work of a GPU.
 pub fn is_thin(device: &Device) -> bool {
-    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
-    !whole && device.info().adapter.device_type == DeviceType::Cpu
+    !is_whole() && device.info().adapter.device_type == DeviceType::Cpu
 }
 
 /// Every method of a GPU; on an emulated one, of trees those that differ from the default in one

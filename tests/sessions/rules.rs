@@ -5,6 +5,7 @@ use super::found::Found;
 use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions, Volume};
 use ccd::scenes::Random;
 use ccd::{Bodies, Coordinate, Error, Groups, Kind, Mesh, Options, Pair, Session};
+use ccd_testkit::is_whole;
 use std::cell::Cell;
 
 const N_BODIES: u32 = 9;
@@ -92,7 +93,7 @@ fn pipelines() -> [Pipeline; 3] {
 fn check_rules<T: Coordinate>(n: usize) {
     let scene = Scene::new(n);
     let (mut n_less, mut n_left) = (0, 0);
-    for which in [0, 1, 2, 4, 6, 8, 9, 15] {
+    for (turn, which) in [0, 1, 2, 4, 6, 8, 9, 15].into_iter().enumerate() {
         let bodies = (which > 0).then(|| scene.bodies(which));
         let x0 = scene.moved(2, 0.01, bodies.as_ref());
         let mut x1 = scene.moved(3, 0.4, None);
@@ -115,8 +116,12 @@ fn check_rules<T: Coordinate>(n: usize) {
         assert!(n_pairs > 40 && (want != all || which == 0), "{which}: {n_pairs} pairs");
         n_left += want[0].contacts.len();
         n_less += all[0].contacts.len() - want[0].contacts.len();
-        for method in ccd::method::every("cpu") {
+        for (i, method) in ccd::method::every("cpu").enumerate() {
             for (k, pipeline) in pipelines().into_iter().enumerate() {
+                // Of three pipelines one, another by other rules: in the end every method by each.
+                if !is_whole() && (i + turn + k) % 3 != 0 {
+                    continue;
+                }
                 let options = base.clone().with_threads(1 + (which as usize + k) % 2);
                 let options = options.with_bodies(bodies.clone()).with_broad_phase(method);
                 let mut got = run(options.with_pipeline(pipeline));
