@@ -1,5 +1,8 @@
 //! Eight `f32` side by side as plain arrays: on any processor, and what the others are compared
 //! with.
+//!
+//! Tests, which do not look at its speed, compile in three quarters of the time because nothing has
+//! to be inlined there.
 
 use super::{F32x8, Mask, RowSimd, Simd, WIDTH, Work};
 use ccd_core::Num;
@@ -26,7 +29,7 @@ macro_rules! each {
 
 impl Add for F32x8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn add(self, other: Self) -> Self {
         Self(each!(|a, b| a + b, self.0, other.0))
     }
@@ -34,7 +37,7 @@ impl Add for F32x8 {
 
 impl Sub for F32x8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn sub(self, other: Self) -> Self {
         Self(each!(|a, b| a - b, self.0, other.0))
     }
@@ -42,7 +45,7 @@ impl Sub for F32x8 {
 
 impl Mul for F32x8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn mul(self, other: Self) -> Self {
         Self(each!(|a, b| a * b, self.0, other.0))
     }
@@ -50,7 +53,7 @@ impl Mul for F32x8 {
 
 impl Div for F32x8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn div(self, other: Self) -> Self {
         Self(each!(|a, b| a / b, self.0, other.0))
     }
@@ -58,7 +61,7 @@ impl Div for F32x8 {
 
 impl Neg for F32x8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn neg(self) -> Self {
         Self(each!(|a, _b| -a, self.0, self.0))
     }
@@ -66,7 +69,7 @@ impl Neg for F32x8 {
 
 impl BitAnd for Mask8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn bitand(self, other: Self) -> Self {
         Self(each!(|a, b| a & b, self.0, other.0))
     }
@@ -74,7 +77,7 @@ impl BitAnd for Mask8 {
 
 impl BitOr for Mask8 {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn bitor(self, other: Self) -> Self {
         Self(each!(|a, b| a | b, self.0, other.0))
     }
@@ -82,7 +85,7 @@ impl BitOr for Mask8 {
 
 impl Mask for Mask8 {
     const ALL: u32 = 0xff;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn bits(self) -> u32 {
         (0..WIDTH).fold(0, |bits, i| bits | (self.0[i] & 1) << i)
     }
@@ -92,23 +95,23 @@ impl Num for F32x8 {
     const UNIT: Self = Self([f32::UNIT; WIDTH]);
     const MIN_NORMAL: Self = Self([f32::MIN_NORMAL; WIDTH]);
     type Mask = Mask8;
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn gt(self, other: Self) -> Mask8 {
         Mask8(each!(|a, b| if a > b { u32::MAX } else { 0 }, self.0, other.0))
     }
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn splat(x: f32) -> Self {
         Self([x; WIDTH])
     }
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn abs(self) -> Self {
         Self(each!(|a, _b| f32::from_bits(a.to_bits() & 0x7fff_ffff), self.0, self.0))
     }
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn max(self, other: Self) -> Self {
         Self(each!(|a, b| if a > b { a } else { b }, self.0, other.0))
     }
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn min(self, other: Self) -> Self {
         Self(each!(|a, b| if a < b { a } else { b }, self.0, other.0))
     }
@@ -123,7 +126,7 @@ impl Simd for Portable {
     type Lanes = F32x8;
     const LANES: usize = WIDTH;
 
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [F32x8; WIDTH] {
         let mut out = [F32x8([0.0; WIDTH]); WIDTH];
         for (lane, &id) in ids[..WIDTH].iter().enumerate() {
@@ -135,29 +138,29 @@ impl Simd for Portable {
         out
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn run<W: Work<Self>>(self, work: W) -> W::Out {
         work.call(self)
     }
 }
 
 impl RowSimd for Portable {
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn load(self, x: &F32x8) -> F32x8 {
         *x
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn store(self, x: F32x8) -> F32x8 {
         x
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         (0..WIDTH).fold(0, |bits, j| bits | ((lanes[j] == x[0] || lanes[j] == x[1]) as u32) << j)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(test), inline(always))]
     fn append<const ORDERED: bool>(
         self,
         out: &mut Vec<Pair>,

@@ -3,8 +3,8 @@
 //!
 //! Vertices of such bodies are compared with where they were in the step before, in the pass that
 //! looks for those that move and must not. If all are there, parts of the boxes that are theirs
-//! alone are left as they are: of vertices, of leaves, and of the table, if that has the same origin
-//! and unit. A call that is told what moves leaves all else (`movers.rs`).
+//! alone are left as they are: of vertices, of leaves, and of the table, if that has the same
+//! origin and unit. A call that is told what moves leaves all else (`movers.rs`).
 
 use crate::step::movers::Movers;
 use crate::threads::Threads;
