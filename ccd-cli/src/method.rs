@@ -19,7 +19,7 @@ use serde::Serialize;
 pub struct MethodOptions {
     /// Broad phase; --help has the other options, `ccd list` the names
     #[arg(long, value_name = "NAME", value_parser = named::<BroadPhaseMethod>())]
-    #[arg(hide_possible_values = true)]
+    #[arg(hide_possible_values = true, long_help = "Broad phase; `ccd list` has the names")]
     broad_phase: Option<BroadPhaseMethod>,
     /// How a tree is built; implies --broad-phase tree, as do the other options of trees
     #[arg(long, value_name = "NAME", value_parser = named::<Builder>())]

@@ -1,12 +1,13 @@
 //! Sequences of frames by schedulers with fronts: on every frame the candidates of a session that
 //! begins where the step before ended are those of one that begins at the roots.
 
-use crate::rows::{is_whole, schedulings};
+use crate::rows::schedulings;
 use crate::scenes::Source;
 use ccd::method::{Front, FrontOptions};
 use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 use ccd::{Digest, Mesh, Options, Session};
 use ccd_testkit::data;
+use ccd_testkit::is_whole;
 
 /// Frames of a mesh.
 pub struct Frames {

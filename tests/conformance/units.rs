@@ -1,10 +1,11 @@
 //! The unit of the coordinates decides nothing: a scene in any unit that is accepted has the
 //! contacts that it has in the unit 1 on a CPU, also where `f32` has no such numbers.
 
-use crate::rows::{is_emulated, is_whole};
+use crate::rows::is_emulated;
 use ccd::any::{Choice, Session};
 use ccd::scenes::triangle_soup;
 use ccd::{Coordinate, Kind, Options, Report, State};
+use ccd_testkit::is_whole;
 use std::collections::BTreeSet;
 
 /// Exponents of units in `f64`: those at which something is rounded or scaled otherwise, then more.
