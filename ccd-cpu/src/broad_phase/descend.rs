@@ -1,7 +1,7 @@
 //! Operations on lists of pairs of nodes, compiled once for each tree of pairs: splitting into
 //! tasks, expanding down to rows of leaves, resuming at a front.
 //!
-//! Twin: of ccd-shaders `pair_workers.rs`, which expands pairs where workgroups find them.
+//! Twin: `broad_phase/scheduler` of ccd-shaders, which expands pairs where workgroups find them.
 
 use crate::broad_phase::front::Writer;
 use crate::broad_phase::leaf_boxes::{Order, Sides};
@@ -90,10 +90,8 @@ impl<T: FrontTree> Descend for T {
     fn keep_meeting(&self, pairs: &mut Vec<NodePair>, front: &mut Option<Writer>) {
         pairs.retain(|&pair| {
             let meets = self.meets(pair);
-            if let Some(front) = front
-                && !meets
-            {
-                front.push(pair);
+            if !meets {
+                keep(front, pair);
             }
             meets
         });

@@ -15,7 +15,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 
 /// Which of the sets that a source keeps, and what for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Set {
     /// Its number, from 0; nothing else has it in the same source.
     pub index: usize,
@@ -97,7 +97,7 @@ pub trait Order: Debug + Send + Sync {
 }
 
 /// Boxes of a set: leaf `8 i + j` is lane `j` of block `i`.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct LeafBoxes {
     set: Set,
     n_boxes: usize,
@@ -123,20 +123,7 @@ pub struct LeafBoxes {
 impl LeafBoxes {
     /// No boxes yet.
     pub fn new(set: Set) -> Self {
-        Self {
-            set,
-            n_boxes: 0,
-            len: 0,
-            has_gaps: false,
-            order: Vec::new(),
-            blocks: Vec::new(),
-            n_still: 0,
-            n_posed: 0,
-            changed: Vec::new(),
-            free: Vec::new(),
-            filled: Vec::new(),
-            emptied: Vec::new(),
-        }
+        Self { set, ..Self::default() }
     }
 
     /// Which set this is.

@@ -243,7 +243,10 @@ impl BroadPhase {
             let (a, b, stop) = (&a.leaves, &b.leaves, &*threads.stop);
             let sink = Listing::<WITHIN> { a, b, slack, confirm, stop };
             times.build = milliseconds(start);
-            list(threads, method, &sink, workers, runs);
+            workers.resize_with(threads.count(), Lister::default);
+            workers.iter_mut().for_each(Lister::clear);
+            method.find(threads, (a, (!WITHIN).then_some(b)), 1, &sink, workers);
+            order_runs(workers, runs);
             times.search = milliseconds(start) - times.build;
             threads.stop.check()
         })
@@ -252,20 +255,6 @@ impl BroadPhase {
 
 /// Whether two boxes overlap as they were given; asked where rounding may have made it so.
 type Confirm<'a> = &'a (dyn Fn(u32, u32) -> bool + Sync);
-
-/// Lists all pairs: within one set if its pairs are ordered, else of one set with another.
-fn list<const WITHIN: bool>(
-    threads: &Threads,
-    method: &mut Method,
-    sink: &Listing<WITHIN>,
-    workers: &mut Vec<Lister>,
-    runs: &mut Vec<Run>,
-) {
-    workers.resize_with(threads.count(), Lister::default);
-    workers.iter_mut().for_each(Lister::clear);
-    method.find(threads, (sink.a, (!WITHIN).then_some(sink.b)), 1, sink, workers);
-    order_runs(workers, runs);
-}
 
 /// Lists pairs of ids.
 struct Listing<'a, const WITHIN: bool> {

@@ -14,8 +14,8 @@
 //! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does. (Of
 //! eight numbers it is another comparison by each set: of zeros of both signs any may be chosen.)
 //!
-//! On x86-64 only tests use the portable set: vectorizing it took the compiler as long as all the
-//! rest of this crate.
+//! Where there is another one only tests have the portable set: vectorizing it took the compiler as
+//! long as all the rest of this crate.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -23,6 +23,14 @@ mod avx2;
 mod avx512;
 #[cfg(target_arch = "aarch64")]
 mod neon;
+#[cfg(any(
+    test,
+    not(any(
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        all(target_arch = "wasm32", target_feature = "simd128")
+    ))
+))]
 mod portable;
 mod row_simd;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -38,6 +46,14 @@ pub use avx2::Avx2;
 pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
+#[cfg(any(
+    test,
+    not(any(
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        all(target_arch = "wasm32", target_feature = "simd128")
+    ))
+))]
 pub use portable::Portable;
 pub use row_simd::{ROOM, RowSimd};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -102,7 +118,10 @@ pub trait Simd: Copy + Send + Sync {
     /// rows in `out[k]`.
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [Self::Lanes; WIDTH];
     /// Runs `work` with the set enabled for everything that is inlined into it.
-    fn run<W: Work<Self>>(self, work: W) -> W::Out;
+    #[inline(always)]
+    fn run<W: Work<Self>>(self, work: W) -> W::Out {
+        work.call(self)
+    }
 }
 
 /// The rows `ids` of a table, transposed, where eight numbers are two vectors: `load` reads a row,

@@ -4,9 +4,8 @@
 //! Tests, which do not look at its speed, compile in three quarters of the time because nothing has
 //! to be inlined there.
 
-use super::{F32x8, Mask, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, Mask, RowSimd, Simd, WIDTH};
 use ccd_core::Num;
-use ccd_core::backend::layout::Pair;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 /// Eight answers: all bits of a lane, or none.
@@ -137,11 +136,6 @@ impl Simd for Portable {
         }
         out
     }
-
-    #[cfg_attr(not(test), inline(always))]
-    fn run<W: Work<Self>>(self, work: W) -> W::Out {
-        work.call(self)
-    }
 }
 
 impl RowSimd for Portable {
@@ -158,20 +152,5 @@ impl RowSimd for Portable {
     #[cfg_attr(not(test), inline(always))]
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         (0..WIDTH).fold(0, |bits, j| bits | ((lanes[j] == x[0] || lanes[j] == x[1]) as u32) << j)
-    }
-
-    #[cfg_attr(not(test), inline(always))]
-    fn append<const ORDERED: bool>(
-        self,
-        out: &mut Vec<Pair>,
-        a: u32,
-        b: &[u32; WIDTH],
-        mut mask: u32,
-    ) {
-        while mask != 0 {
-            let b = b[mask.trailing_zeros() as usize];
-            out.push(if ORDERED { Pair::ordered(a, b) } else { Pair { a, b } });
-            mask &= mask - 1;
-        }
     }
 }

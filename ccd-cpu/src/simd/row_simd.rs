@@ -20,7 +20,20 @@ pub trait RowSimd: Simd {
     /// Lanes in which `x` is one of the two.
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
     /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
-    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
+    #[cfg_attr(not(test), inline(always))]
+    fn append<const ORDERED: bool>(
+        self,
+        out: &mut Vec<Pair>,
+        a: u32,
+        b: &[u32; WIDTH],
+        mut mask: u32,
+    ) {
+        while mask != 0 {
+            let b = b[mask.trailing_zeros() as usize];
+            out.push(if ORDERED { Pair::ordered(a, b) } else { Pair { a, b } });
+            mask &= mask - 1;
+        }
+    }
 
     /// Eight of these boxes.
     #[inline(always)]

@@ -1,8 +1,7 @@
 //! SIMD of WebAssembly: eight `f32` in two vectors, in modules built with `simd128`.
 #![allow(unused_unsafe, reason = "other sets need it in the macro `num`; calls here are safe")]
 
-use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work, transposed};
-use ccd_core::backend::layout::Pair;
+use super::{F32x8, RowSimd, Simd, WIDTH, transposed};
 use std::arch::wasm32::*;
 
 /// The instruction set: a module that has it is refused as a whole where there is none.
@@ -97,10 +96,6 @@ impl Simd for Simd128 {
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
         transposed(table, ids, load, quads).map(V8)
     }
-    #[inline(always)]
-    fn run<W: Work<Self>>(self, work: W) -> W::Out {
-        work.call(self)
-    }
 }
 
 impl RowSimd for Simd128 {
@@ -123,9 +118,5 @@ impl RowSimd for Simd128 {
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         let (x0, x1) = (u32x4_splat(x[0]), u32x4_splat(x[1]));
         bits(load(lanes).map(|half| v128_or(u32x4_eq(half, x0), u32x4_eq(half, x1))))
-    }
-    #[inline(always)]
-    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
-        Portable.append::<ORDERED>(out, a, b, mask);
     }
 }

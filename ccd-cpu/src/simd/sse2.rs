@@ -1,7 +1,6 @@
 //! SSE2: eight `f32` in two registers. Every x86-64 processor has it.
 
-use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work, transposed};
-use ccd_core::backend::layout::Pair;
+use super::{F32x8, RowSimd, Simd, WIDTH, transposed};
 use std::arch::x86_64::*;
 
 /// The instruction set.
@@ -115,10 +114,6 @@ impl Simd for Sse2 {
         // SAFETY: see above.
         unsafe { gather(table, ids) }
     }
-    #[inline(always)]
-    fn run<W: Work<Self>>(self, work: W) -> W::Out {
-        work.call(self)
-    }
 }
 
 impl RowSimd for Sse2 {
@@ -136,9 +131,5 @@ impl RowSimd for Sse2 {
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         // SAFETY: see above.
         unsafe { equals(lanes, x) }
-    }
-    #[inline(always)]
-    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
-        Portable.append::<ORDERED>(out, a, b, mask);
     }
 }
