@@ -5,7 +5,6 @@
 use ccd::method::{BroadPhaseMethod, Builder, Front, Pipeline, Scheduling, Traversal, TreeOptions};
 use ccd::{Bodies, BodyMotion, CancelToken, Error, Mesh, Options, Posed, Session, Strided};
 use ccd_testkit::generate::crumpled_sheet;
-use ccd_testkit::is_whole;
 use ccd_testkit::methods::is_near_default;
 use libtest_mimic::{Arguments, Trial};
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -43,8 +42,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Allocations of each of some steps after others to warm up: 12 each, or without
-/// [`WHOLE`](ccd_testkit::WHOLE) of one thread 6, after which all repeats.
+/// Allocations of each of 24 steps after 12 to warm up.
 fn count(
     threads: usize,
     broad_phase: BroadPhaseMethod,
@@ -72,11 +70,10 @@ fn count(
         }
         CALLS.load(Ordering::Relaxed) - before
     };
-    let n = if threads > 1 || is_whole() { 12 } else { 6 };
-    for i in 0..n {
+    for i in 0..12 {
         one(&mut session, i);
     }
-    (n..2 * n).map(|i| one(&mut session, i)).collect()
+    (12..24).map(|i| one(&mut session, i)).collect()
 }
 
 fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
