@@ -16,7 +16,7 @@ pub use ccd::scenes as generate;
 /// Set to 1, this variable has tests leave nothing out.
 pub const WHOLE: &str = "CCD_WHOLE";
 
-/// Whether they do not.
+/// Whether tests are to leave nothing out.
 pub fn is_whole() -> bool {
     std::env::var(WHOLE).is_ok_and(|value| value == "1")
 }

@@ -75,7 +75,7 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
         Some(kind) => read_queries_of(path, kind),
         None => {
             let what = "the path names neither vertex-face (vf) nor edge-edge (ee) queries";
-            // A file that is not there needs another name first.
+            // Where the file cannot be opened, that is the reason to give.
             let kind = match std::fs::File::open(path) {
                 Ok(_) => ReadErrorKind::Format(what.into()),
                 Err(e) => e.into(),

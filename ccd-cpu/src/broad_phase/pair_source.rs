@@ -64,7 +64,7 @@ pub trait PairSink: Sync {
     ) {
         self.row_by_row(worker, simd, blocks, masks);
     }
-    /// Takes the same as rows.
+    /// Takes lane `i` of `a` and lane `j` of `b` for each bit `j` of byte `i` of `masks`, as rows.
     #[inline(always)]
     fn row_by_row<S: RowSimd>(
         &self,
@@ -97,8 +97,8 @@ pub fn overlaps<S: RowSimd>(simd: S, [a, b]: [&Block; 2]) -> u64 {
     masks
 }
 
-/// Those of overlaps of boxes that were rounded which are more than `slack`, or `confirmed`, which
-/// is asked for lane `i` of one block and lane `j` of the other.
+/// Of overlaps of boxes that were rounded those by more than `slack`, and those that `confirmed`
+/// says, which is asked for lane `i` of one block and lane `j` of the other.
 #[inline(always)]
 pub fn confirmed_overlaps<S: RowSimd>(
     simd: S,

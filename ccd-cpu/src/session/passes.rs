@@ -55,7 +55,7 @@ pub fn prepare(
     threads.stop.check()
 }
 
-/// Boxes at both ends, see [`Prepared::ends`].
+/// Boxes at both ends, see [`Prepared::ends`], as a part of the time that trees take.
 pub fn ends(
     threads: &Threads,
     prepared: &mut Prepared,

@@ -11,11 +11,12 @@
 //! | `simd128` (WebAssembly, where a module is built with it) | 8 in two vectors | the same |
 //!
 //! All give the same bits: every operation rounds as IEEE 754 says, nothing is contracted, and the
-//! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does. (Of
-//! eight numbers it is another comparison by each set: of zeros of both signs any may be chosen.)
+//! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does. (The
+//! least of eight numbers is found in an order of its own by each set: of zeros with different
+//! signs it may be either.)
 //!
-//! Where there is another one only tests have the portable set: vectorizing it took the compiler as
-//! long as all the rest of this crate.
+//! Where there is another set, only tests have the portable one: vectorizing it took the compiler
+//! as long as all the rest of this crate.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -31,7 +32,7 @@ mod neon;
         all(target_arch = "wasm32", target_feature = "simd128")
     ))
 ))]
-mod portable;
+pub mod portable;
 mod row_simd;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod simd128;
@@ -46,15 +47,6 @@ pub use avx2::Avx2;
 pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
-#[cfg(any(
-    test,
-    not(any(
-        target_arch = "x86_64",
-        target_arch = "aarch64",
-        all(target_arch = "wasm32", target_feature = "simd128")
-    ))
-))]
-pub use portable::Portable;
 pub use row_simd::{ROOM, RowSimd};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use simd128::Simd128;
@@ -184,7 +176,7 @@ macro_rules! run_rows {
             all(target_arch = "wasm32", target_feature = "simd128")
         )))]
         {
-            $crate::simd::Simd::run($crate::simd::Portable, $work)
+            $crate::simd::Simd::run($crate::simd::portable::Portable, $work)
         }
     }};
 }

@@ -1,5 +1,6 @@
 //! Every instruction set gives the bits of the portable one.
 
+use super::portable::Portable;
 use super::*;
 use ccd_core::narrow_phase::cascade;
 use ccd_core::narrow_phase::coplanarity::Coplanarity;

@@ -289,7 +289,7 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
         if let Some(slack) = scene.slack {
             masks = confirmed_overlaps(simd, boxes, masks, slack, |i, j| {
                 let (a, b) = (of_a.vertices_of(i), of_b.vertices_of(j));
-                // Of features that share a vertex, which are no candidates, many are so.
+                // Features that share a vertex, often unsure, are dropped below in any case.
                 a.iter().any(|v| b.contains(v)) || scene.boxes_overlap(a, b)
             });
         }
