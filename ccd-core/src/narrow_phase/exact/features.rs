@@ -28,7 +28,11 @@ pub fn differences(patch: Patch) -> [[usize; 2]; 3] {
 impl<T: Number> Features<T> {
     /// From `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
     pub fn new(patch: Patch, x: &[Vector<T>; 4]) -> Self {
-        let [a, b, c] = differences(patch).map(|[p, q]| minus(&x[p], &x[q]));
+        Self::of_differences(patch, differences(patch).map(|[p, q]| minus(&x[p], &x[q])))
+    }
+
+    /// From `a b c`.
+    pub fn of_differences(patch: Patch, [a, b, c]: [Vector<T>; 3]) -> Self {
         let normal = cross(&b, &c);
         Self { patch, a, b, c, normal }
     }

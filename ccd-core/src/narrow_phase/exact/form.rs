@@ -18,6 +18,11 @@ pub struct Form<W> {
 }
 
 impl<W: Words> Form<W> {
+    /// 0, of degree 0.
+    pub const ZERO: Self = Self { c: [Integer::ZERO; DEGREE + 1], degree: 0 };
+    /// A form whose numbers did not fit.
+    const LOST: Self = Self { c: [Integer::LOST; DEGREE + 1], degree: 0 };
+
     /// The form `u c_0 + v c_1`: a number that moves from one to the other.
     pub fn linear(c: [Integer<W>; 2]) -> Self {
         let mut out = Self::zero(1);
@@ -78,34 +83,38 @@ impl<W: Words> Form<W> {
 
     /// The sum of two forms of one degree.
     pub fn plus(&self, other: &Self) -> Self {
-        self.by_coefficients(other, |a, b| a + b)
+        self.sum(other, false)
     }
 
     /// The difference of two forms of one degree.
     pub fn minus(&self, other: &Self) -> Self {
-        self.by_coefficients(other, |a, b| a - b)
+        self.sum(other, true)
     }
 
-    fn by_coefficients(
-        &self,
-        other: &Self,
-        result: impl Fn(&Integer<W>, &Integer<W>) -> Integer<W>,
-    ) -> Self {
+    fn sum(&self, other: &Self, negated: bool) -> Self {
         debug_assert_eq!(self.degree, other.degree);
-        let mut out = Self::zero(self.degree);
-        (0..=self.degree).for_each(|i| out.c[i] = result(&self.c[i], &other.c[i]));
+        let mut out = self.clone();
+        for (x, y) in out.c.iter_mut().zip(other.coefficients()) {
+            x.accumulate(y, negated);
+        }
         out
     }
 
     /// The product.
     pub fn times(&self, other: &Self) -> Self {
         let mut out = Self::zero(self.degree + other.degree);
-        for (i, a) in self.coefficients().iter().enumerate() {
-            for (j, b) in other.coefficients().iter().enumerate() {
-                out.c[i + j] = &out.c[i + j] + a * b;
+        out.add_product(self, other, false);
+        out
+    }
+
+    /// Adds the product of two forms, of this degree, or its negative.
+    pub fn add_product(&mut self, a: &Self, b: &Self, negated: bool) {
+        debug_assert_eq!(self.degree, a.degree + b.degree);
+        for (i, x) in a.coefficients().iter().enumerate() {
+            for (j, y) in b.coefficients().iter().enumerate() {
+                self.c[i + j].add_product(x, y, negated);
             }
         }
-        out
     }
 
     fn times_number(&self, x: &Integer<W>) -> Self {
@@ -118,20 +127,56 @@ impl<W: Words> Form<W> {
     pub fn at(&self, [u, v]: &[Integer<W>; 2]) -> Integer<W> {
         let (mut out, mut power) = (Integer::ZERO, Integer::new(1, 0));
         for c in self.coefficients() {
-            out = out * u + c * &power;
+            out = out * u;
+            out.add_product(c, &power, false);
             power = power * v;
         }
         out
     }
 
-    /// As a form over a part of the step: `from` and `to` are `u` and `v` at its ends.
+    /// The sign half of the way; `None` if the sum does not fit.
+    pub fn sign_halfway(&self) -> Option<i32> {
+        let mut sum = Integer::ZERO;
+        self.coefficients().iter().for_each(|c| sum.accumulate(c, false));
+        sum.is_exact().then(|| sum.sign())
+    }
+
+    /// As a form over a part of the step: `from` and `to` are `u` and `v` at its ends, whose sums
+    /// are one power of two.
+    ///
+    /// Of `x` and `y` over the part let `z = x + y`: `v = v_0 z + (v_1 - v_0) y`, and `u + v` is the
+    /// power of two times `z`. So numbers but `v_0` are shifted or added: first to a form of `u + v`
+    /// and `v`, then from `v` to `y` by a Taylor shift, then to `x` and `y`.
     pub fn over(&self, from: &[Integer<W>; 2], to: &[Integer<W>; 2]) -> Self {
-        let [u, v] = [0, 1].map(|k| Self::linear([from[k].clone(), to[k].clone()]));
-        let constant = |c| Self { degree: 0, ..Self::linear([c, Integer::ZERO]) };
-        let (mut out, mut power) = (constant(self.c[0].clone()), constant(Integer::new(1, 0)));
-        for c in &self.coefficients()[1..] {
-            power = power.times(&v);
-            out = out.times(&u).plus(&power.times_number(c));
+        let (mut out, n) = (self.clone(), self.degree);
+        let c = &mut out.c;
+        for last in (1..=n).rev() {
+            for k in 1..=last {
+                let [before, here] = neighbours(c, k);
+                here.accumulate(before, true);
+            }
+        }
+        let (one, way) = (&from[0] + &from[1], &to[1] - &from[1]);
+        let Some(shift) = one.bits().checked_sub(1) else { return Self::LOST };
+        for (k, c) in c[..=n].iter_mut().enumerate() {
+            *c = c.shifted(shift * (n - k) as u32);
+        }
+        for first in 0..n {
+            for k in (first + 1..=n).rev() {
+                let [before, here] = neighbours(c, k);
+                before.add_product(here, &from[1], false);
+            }
+        }
+        let mut power = way.clone();
+        for c in &mut c[1..=n] {
+            *c = &*c * &power;
+            power = power * &way;
+        }
+        for last in (1..=n).rev() {
+            for k in 1..=last {
+                let [before, here] = neighbours(c, k);
+                here.accumulate(before, false);
+            }
         }
         out
     }
@@ -229,7 +274,7 @@ impl<W: Words> Form<W> {
             let (factor, shift) = (positive(&out.c[out.degree]), out.degree - by.degree);
             out = out.times_number(&positive(lead));
             for i in 0..=by.degree {
-                out.c[i + shift] = &out.c[i + shift] - &by.c[i] * &factor;
+                out.c[i + shift].add_product(&by.c[i], &factor, true);
             }
             out = out.trimmed();
         }
@@ -289,12 +334,19 @@ impl<W: Words> Form<W> {
             for (j, entry) in row.iter_mut().enumerate().take(n) {
                 for k in 0..=i.min(n - 1 - j) {
                     let (low, high) = (i - k, j + k + 1);
-                    *entry = &*entry + (&p[high] * q(low) - &p[low] * q(high));
+                    entry.add_product(&p[high], q(low), false);
+                    entry.add_product(&p[low], q(high), true);
                 }
             }
         }
         determinant(&rows, n, 0, [0, 1, 2, 3])
     }
+}
+
+/// A coefficient and the one before it.
+fn neighbours<W>(c: &mut [Integer<W>], k: usize) -> [&mut Integer<W>; 2] {
+    let [before, here] = &mut c[k - 1..=k] else { unreachable!("two of them") };
+    [before, here]
 }
 
 /// The determinant of the rows from `row` on and the first columns of a list, of an `n x n` matrix.
@@ -315,8 +367,7 @@ fn determinant<W: Words>(
         others.copy_within(k + 1.., k);
         let minor =
             if left == 1 { Integer::new(1, 0) } else { determinant(rows, n, row + 1, others) };
-        let term = entry * minor;
-        sum = sum + if k % 2 == 0 { term } else { -term };
+        sum.add_product(entry, &minor, k % 2 == 1);
     }
     sum
 }

@@ -15,13 +15,13 @@
 //! contact is inside of both features and passes through, as most do.
 
 use super::ball::{self, Ball};
-use super::features::Features;
+use super::features::{Features, differences};
 use super::form::Form;
 use super::integer::{Integer, power_of_two};
 use super::vector::Number;
 use super::words::{Longest, Words};
 use super::zeros::{Time, Window, zeros};
-use super::{at_begin_of, checked, moment, never_zero, points, refine, searching, units, vectors};
+use super::{at_begin_of, checked, moment, moving, never_zero, refine, searching, units, vectors};
 use crate::math::expansion;
 use crate::math::vec3::max_abs;
 use crate::narrow_phase::contact_geometry::unit_vector;
@@ -100,10 +100,10 @@ fn towards(patch: Patch) -> i32 {
 /// Within as many words as there are; `None` if they are too few.
 fn by_integers<W: Words>(
     patch: Patch,
-    [t0, t1]: [&[[f64; 3]; 4]; 2],
+    ends: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Option<Meeting>> {
-    let features = Features::new(patch, &points(t0, t1));
+    let features = Features::of_differences(patch, moving(differences(patch), ends));
     let window = Window::<W>::new(window)?;
     let coplanarity = features.coplanarity().checked()?;
     let part = window.part(&coplanarity)?;
@@ -151,7 +151,12 @@ fn by_integers<W: Words>(
     let normal = match side {
         0 => None,
         _ => {
-            let n = direction(&mut time, features.normal(), is_zero, units(t0.iter().chain(t1)))?;
+            let n = direction(
+                &mut time,
+                features.normal(),
+                is_zero,
+                units(ends.into_iter().flatten()),
+            )?;
             Some(n.map(|x| if side > 0 { x } else { -x }))
         }
     };
@@ -209,7 +214,7 @@ fn values<W: Words, const K: usize>(
                     let value = form.at(time);
                     [value.clone(), value]
                 }
-                Time::Between(_, [from, to], _) => form.over(from, to).range(),
+                Time::Between(_, part) => part.part(form).range(),
             };
             let width = &most - &least;
             if !(least.is_exact() && width.is_exact()) {

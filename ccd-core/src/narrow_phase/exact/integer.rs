@@ -36,11 +36,13 @@ impl<W: Words> Integer<W> {
     /// Nothing.
     pub const ZERO: Self = Self { words: W::NONE, len: 0, negative: false, lost: false };
     /// A number that did not fit.
-    const LOST: Self = Self { words: W::NONE, len: 0, negative: false, lost: true };
+    pub const LOST: Self = Self { words: W::NONE, len: 0, negative: false, lost: true };
 
     /// 0, with room for `len` words or as many as there may be.
     fn with_room(len: usize, negative: bool) -> Self {
-        Self { words: W::zeros(len.min(W::MOST)), negative, ..Self::ZERO }
+        let mut out = Self { negative, ..Self::ZERO };
+        out.words.grow(len.min(W::MOST));
+        out
     }
 
     /// `x * 2^shift`.
@@ -136,14 +138,14 @@ impl<W: Words> Integer<W> {
                 words[i + whole + 1] = word >> (64 - part);
             }
         }
-        out.trimmed(len)
+        out.trim(len);
+        out
     }
 
     /// With the last of `len` words not 0.
-    fn trimmed(mut self, len: usize) -> Self {
+    fn trim(&mut self, len: usize) {
         let words = &self.words.as_ref()[..len];
         self.len = words.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
-        self
     }
 
     /// Of magnitudes.
@@ -152,46 +154,84 @@ impl<W: Words> Integer<W> {
         self.len.cmp(&other.len).then_with(by_words)
     }
 
-    /// The sum of two magnitudes, with a sign.
-    fn sum(&self, other: &Self, negative: bool) -> Self {
-        let (a, b) = if self.len < other.len { (other, self) } else { (self, other) };
-        let mut out = Self::with_room(a.len + 1, negative);
-        let words = out.words.as_mut();
-        let carry = by_words(words, a.words(), b.words(), u64::overflowing_add);
-        if carry {
-            if a.len == W::MOST {
-                return Self::LOST;
+    /// Adds another's magnitude to this one's.
+    fn add_magnitude(&mut self, other: &Self) {
+        self.len = self.len.max(other.len);
+        self.words.grow(self.len);
+        if by_words(&mut self.words.as_mut()[..self.len], other.words(), u64::overflowing_add) {
+            if self.len == W::MOST {
+                *self = Self::LOST;
+                return;
             }
-            words[a.len] = 1;
+            self.words.grow(self.len + 1);
+            self.words.as_mut()[self.len] = 1;
+            self.len += 1;
         }
-        out.len = a.len + carry as usize;
-        out
     }
 
-    /// The greater magnitude minus the lesser, with a sign.
-    fn difference(&self, lesser: &Self, negative: bool) -> Self {
-        let mut out = Self::with_room(self.len, negative);
-        by_words(out.words.as_mut(), self.words(), lesser.words(), u64::overflowing_sub);
-        out.trimmed(self.len)
+    /// Subtracts another's magnitude from this one's; the sign changes if that is greater.
+    fn subtract_magnitude(&mut self, other: &Self) {
+        let len = self.len.max(other.len);
+        self.words.grow(len);
+        let words = &mut self.words.as_mut()[..len];
+        if by_words(words, other.words(), u64::overflowing_sub) {
+            negate(words);
+            self.negative = !self.negative;
+        }
+        self.trim(len);
     }
 
     /// The sum with another, or its negative.
-    fn signed_sum(&self, other: &Self, negated: bool) -> Self {
+    fn sum(&self, other: &Self, negated: bool) -> Self {
+        let mut out = self.clone();
+        out.accumulate(other, negated);
+        out
+    }
+
+    /// Adds another, or its negative.
+    pub fn accumulate(&mut self, other: &Self, negated: bool) {
         if self.lost || other.lost {
-            return Self::LOST;
+            *self = Self::LOST;
+            return;
         }
         let negative = other.negative != negated;
         if self.len == 0 {
-            return Self { negative, ..other.clone() };
+            self.negative = negative;
         }
-        if self.negative == negative || other.len == 0 {
-            return self.sum(other, self.negative);
+        if self.negative == negative {
+            self.add_magnitude(other);
+        } else {
+            self.subtract_magnitude(other);
         }
-        match self.compared(other) {
-            Ordering::Equal => Self::ZERO,
-            Ordering::Less => other.difference(self, negative),
-            Ordering::Greater => self.difference(other, self.negative),
+    }
+
+    /// Adds the product of two numbers, or its negative.
+    pub fn add_product(&mut self, a: &Self, b: &Self, negated: bool) {
+        // One word more than either: it has a sign below.
+        let len = self.len.max(a.len + b.len) + 1;
+        if self.lost || a.lost || b.lost || len > W::MOST {
+            return self.accumulate(&a.product(b), negated);
         }
+        if a.len == 0 || b.len == 0 {
+            return;
+        }
+        let negative = (a.negative != b.negative) != negated;
+        if self.len == 0 {
+            self.negative = negative;
+        }
+        self.words.grow(len);
+        let words = &mut self.words.as_mut()[..len];
+        if self.negative == negative {
+            add_product(words, a.words(), b.words());
+        } else {
+            negate(words);
+            add_product(words, a.words(), b.words());
+            match words[len - 1] >> 63 {
+                1 => negate(words),
+                _ => self.negative = negative,
+            }
+        }
+        self.trim(len);
     }
 
     fn product(&self, other: &Self) -> Self {
@@ -208,20 +248,11 @@ impl<W: Words> Integer<W> {
         }
         let mut out = Self::with_room(len, self.negative != other.negative);
         let words = &mut out.words.as_mut()[..room];
-        for (i, &a) in self.words().iter().enumerate() {
-            let mut carry = 0u128;
-            for (word, &b) in words[i..].iter_mut().zip(other.words()) {
-                carry += a as u128 * b as u128 + *word as u128;
-                *word = carry as u64;
-                carry >>= 64;
-            }
-            match words.get_mut(i + other.len) {
-                Some(word) => *word = carry as u64,
-                None if carry != 0 => return Self::LOST,
-                None => (),
-            }
+        if add_product(words, self.words(), other.words()) {
+            return Self::LOST;
         }
-        out.trimmed(room)
+        out.trim(room);
+        out
     }
 
     /// Quotient and remainder of magnitudes; `by` is not 0.
@@ -231,8 +262,8 @@ impl<W: Words> Integer<W> {
             let k = rest.bits() - by.bits();
             let fits = by.shifted(k).compared(&rest).is_le();
             let k = if fits { k } else { k - 1 };
-            rest = rest.difference(&by.shifted(k), false);
-            quotient = quotient.sum(&Self::new(1, k), false);
+            rest.subtract_magnitude(&by.shifted(k));
+            quotient.add_magnitude(&Self::new(1, k));
         }
         [quotient, rest]
     }
@@ -254,19 +285,51 @@ impl<W: Words> Integer<W> {
     }
 }
 
-/// Words of `a` with those of `b`, which has no more, the lowest first; whether the last one
-/// carries.
+/// The negative of a number in words, whose highest bit is a sign.
 #[inline(always)]
-fn by_words(out: &mut [u64], a: &[u64], b: &[u64], op: impl Fn(u64, u64) -> (u64, bool)) -> bool {
+fn negate(words: &mut [u64]) {
+    let mut carry = true;
+    for word in words {
+        (*word, carry) = (!*word).overflowing_add(carry as u64);
+    }
+}
+
+/// Adds a product to words, at most one less than those of both numbers; whether the last carries.
+#[inline(always)]
+fn add_product(words: &mut [u64], a: &[u64], b: &[u64]) -> bool {
+    let mut carries = false;
+    for (i, &x) in a.iter().enumerate() {
+        let (low, high) = words[i..].split_at_mut(b.len());
+        let mut carry = 0u128;
+        for (word, &y) in low.iter_mut().zip(b) {
+            carry += x as u128 * y as u128 + *word as u128;
+            *word = carry as u64;
+            carry >>= 64;
+        }
+        carries |= match high {
+            [] => carry != 0,
+            _ => by_words(high, &[carry as u64], u64::overflowing_add),
+        };
+    }
+    carries
+}
+
+/// Changes words by those of another number, of which there are no more, the lowest first; whether
+/// the last one carries.
+#[inline(always)]
+fn by_words(words: &mut [u64], by: &[u64], op: impl Fn(u64, u64) -> (u64, bool)) -> bool {
     let mut carry = false;
-    let (low, high) = a.split_at(b.len());
-    for ((word, &a), &b) in out.iter_mut().zip(low).zip(b) {
-        let (result, over) = op(a, b);
+    let (low, high) = words.split_at_mut(by.len());
+    for (word, &by) in low.iter_mut().zip(by) {
+        let (result, over) = op(*word, by);
         let (result, more) = op(result, carry as u64);
         (*word, carry) = (result, over || more);
     }
-    for (word, &a) in out[b.len()..].iter_mut().zip(high) {
-        (*word, carry) = op(a, carry as u64);
+    for word in high {
+        if !carry {
+            break;
+        }
+        (*word, carry) = op(*word, 1);
     }
     carry
 }
@@ -314,8 +377,8 @@ macro_rules! operator {
     };
 }
 
-operator!(Add, add, |a, b| a.signed_sum(b, false));
-operator!(Sub, sub, |a, b| a.signed_sum(b, true));
+operator!(Add, add, |a, b| a.sum(b, false));
+operator!(Sub, sub, |a, b| a.sum(b, true));
 operator!(Mul, mul, |a, b| a.product(b));
 
 /// `2^e`, a normal number.

@@ -43,7 +43,7 @@ use form::Form;
 pub(crate) use geometry::{Meeting, meeting};
 use integer::{Integer, parts};
 pub(crate) use moment::shares_a_point;
-use vector::{Vector, minus};
+use vector::Vector;
 use words::{Longest, Words};
 use zeros::{Time, Window, zeros};
 
@@ -133,16 +133,21 @@ impl<W: Words> Features<Form<W>> {
     }
 }
 
-/// Points that move over a step, in a unit of each axis of which all its coordinates are whole
-/// multiples: whether features touch does not depend on how axes are scaled.
-fn points<W: Words, const K: usize>(
-    t0: &[[f64; 3]; K],
-    t1: &[[f64; 3]; K],
+/// Differences of points that move over a step, in a unit of each axis of which all its coordinates
+/// are whole multiples: whether features touch does not depend on how axes are scaled.
+fn moving<W: Words, const N: usize, const K: usize>(
+    pairs: [[usize; 2]; K],
+    ends: [&[[f64; 3]; N]; 2],
 ) -> [Vector<Form<W>>; K] {
-    let units = units(t0.iter().chain(t1));
-    let at = |x: f64, k: usize| Integer::of(x, units[k]);
-    let point = |i: usize| [0, 1, 2].map(|k| Form::linear([at(t0[i][k], k), at(t1[i][k], k)]));
-    core::array::from_fn(point)
+    let units = units(ends.into_iter().flatten());
+    let mut out = [const { [const { Form::ZERO }; 3] }; K];
+    for (difference, [p, q]) in out.iter_mut().zip(pairs) {
+        for (k, form) in difference.iter_mut().enumerate() {
+            let at = |x: f64| Integer::of(x, units[k]);
+            *form = Form::linear(ends.map(|x| at(x[p][k]) - at(x[q][k])));
+        }
+    }
+    out
 }
 
 /// For each axis the greatest power of two of which all coordinates on it are whole multiples.
@@ -302,16 +307,17 @@ fn checked(ends: [&[[f64; 3]]; 2], [from, until]: [f64; 2]) -> Option<bool> {
 /// Within as many words as there are; `None` if they are too few.
 fn by_integers<W: Words>(
     patch: Patch,
-    [t0, t1]: [&[[f64; 3]; 4]; 2],
+    ends: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    Features::new(patch, &points(t0, t1)).contact(&Window::<W>::new(window)?)
+    Features::of_differences(patch, moving(differences(patch), ends))
+        .contact(&Window::<W>::new(window)?)
 }
 
 /// The same of a vertex and an edge.
-fn on_edge_by_integers<W: Words>([t0, t1]: [&[[f64; 3]; 3]; 2], window: [f64; 2]) -> Option<Exact> {
-    let [p, a, b] = points(t0, t1);
-    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<W>::new(window)?)
+fn on_edge_by_integers<W: Words>(ends: [&[[f64; 3]; 3]; 2], window: [f64; 2]) -> Option<Exact> {
+    let [a, b] = moving([[1, 0], [2, 0]], ends);
+    OnEdge::new(&a, &b).contact(&Window::<W>::new(window)?)
 }
 
 #[cfg(test)]

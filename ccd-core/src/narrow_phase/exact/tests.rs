@@ -212,3 +212,21 @@ fn a_zero_beside_a_double_one_is_short() {
         assert!(lo < 0.5 && 0.5 <= hi && hi - lo < 1e-15, "2^-{k}: {lo:?} {hi:?}");
     }
 }
+
+#[test]
+fn a_form_has_its_values_over_a_part() {
+    let mut random = Random::new(23);
+    let number = |x: i64| Integer::<[u64; 24]>::new(x, 0);
+    for i in 0..400 {
+        let mut linear = || Form::linear([(); 2].map(|()| number(random.bits() as i32 as i64)));
+        let form = (0..i % 4).fold(linear(), |form, _| form.times(&linear()));
+        let [from, to] = [(); 2].map(|()| {
+            let v = random.below(1 << 20) as i64;
+            [number((1 << 20) - v), number(v)]
+        });
+        let [x, y] = [random.below(100), random.below(100)].map(|x| number(x as i64));
+        let there = [0, 1].map(|k| &from[k] * &x + &to[k] * &y);
+        let difference = form.over(&from, &to).at(&[x, y]) - form.at(&there);
+        assert!(difference.is_exact() && difference.sign() == 0, "{form:?} {from:?} {to:?}");
+    }
+}

@@ -12,6 +12,14 @@ pub trait Number: Clone {
     fn minus(&self, other: &Self) -> Self;
     /// The product.
     fn times(&self, other: &Self) -> Self;
+    /// Adds a product.
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        *self = self.plus(&a.times(b));
+    }
+    /// Subtracts a product.
+    fn subtract_product(&mut self, a: &Self, b: &Self) {
+        *self = self.minus(&a.times(b));
+    }
 }
 
 impl<W: Words> Number for Integer<W> {
@@ -23,6 +31,12 @@ impl<W: Words> Number for Integer<W> {
     }
     fn times(&self, other: &Self) -> Self {
         self * other
+    }
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        Integer::add_product(self, a, b, false);
+    }
+    fn subtract_product(&mut self, a: &Self, b: &Self) {
+        Integer::add_product(self, a, b, true);
     }
 }
 
@@ -36,6 +50,12 @@ impl<W: Words> Number for Form<W> {
     fn times(&self, other: &Self) -> Self {
         Form::times(self, other)
     }
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        Form::add_product(self, a, b, false);
+    }
+    fn subtract_product(&mut self, a: &Self, b: &Self) {
+        Form::add_product(self, a, b, true);
+    }
 }
 
 /// Three numbers.
@@ -48,11 +68,18 @@ pub fn minus<T: Number>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
 
 /// `a . b`
 pub fn dot<T: Number>(a: &Vector<T>, b: &Vector<T>) -> T {
-    a[0].times(&b[0]).plus(&a[1].times(&b[1])).plus(&a[2].times(&b[2]))
+    let mut sum = a[0].times(&b[0]);
+    sum.add_product(&a[1], &b[1]);
+    sum.add_product(&a[2], &b[2]);
+    sum
 }
 
 /// `a x b`
 pub fn cross<T: Number>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
-    let at = |i: usize, j: usize| a[i].times(&b[j]).minus(&a[j].times(&b[i]));
+    let at = |i: usize, j: usize| {
+        let mut minor = a[i].times(&b[j]);
+        minor.subtract_product(&a[j], &b[i]);
+        minor
+    };
     [at(1, 2), at(2, 0), at(0, 1)]
 }

@@ -1,7 +1,7 @@
 //! Where the words of integers are: on the stack, or on the heap.
 
 #[cfg(feature = "alloc")]
-use alloc::{vec, vec::Vec};
+use alloc::vec::Vec;
 
 /// Where the words of an integer are.
 pub trait Words: Clone + AsRef<[u64]> + AsMut<[u64]> {
@@ -10,17 +10,15 @@ pub trait Words: Clone + AsRef<[u64]> + AsMut<[u64]> {
     /// None, or as many as there are, each 0.
     const NONE: Self;
 
-    /// At least `len` of them, which are at most [`Words::MOST`], each 0.
-    fn zeros(len: usize) -> Self;
+    /// Makes it at least `len` of them, which are at most [`Words::MOST`]; new ones are 0.
+    fn grow(&mut self, len: usize);
 }
 
 impl<const N: usize> Words for [u64; N] {
     const MOST: usize = N;
     const NONE: Self = [0; N];
 
-    fn zeros(_: usize) -> Self {
-        Self::NONE
-    }
+    fn grow(&mut self, _: usize) {}
 }
 
 #[cfg(feature = "alloc")]
@@ -28,8 +26,10 @@ impl Words for Vec<u64> {
     const MOST: usize = usize::MAX;
     const NONE: Self = Vec::new();
 
-    fn zeros(len: usize) -> Self {
-        vec![0; len]
+    fn grow(&mut self, len: usize) {
+        if self.len() < len {
+            self.resize(len, 0);
+        }
     }
 }
 

@@ -32,21 +32,51 @@ pub type Dyadic<W> = [Integer<W>; 2];
 pub enum Time<W> {
     /// A dyadic one.
     At(Dyadic<W>),
-    /// The only zero between two dyadic times, whose sums of `u` and `v` are the same, of a form
-    /// without double zeros, and the sign of that form between the first and the zero.
-    Between(Form<W>, [Dyadic<W>; 2], i32),
+    /// The only zero of a form without double zeros within a part.
+    Between(Form<W>, Part<W>),
+}
+
+/// What is between two dyadic times, whose sums of `u` and `v` are the same.
+#[derive(Clone, Debug)]
+pub struct Part<W> {
+    ends: [Dyadic<W>; 2],
+    /// A form over it, of which nothing is lost.
+    local: Form<W>,
+}
+
+impl<W: Words> Part<W> {
+    /// A form over it.
+    pub fn part(&self, form: &Form<W>) -> Form<W> {
+        let [from, to] = &self.ends;
+        form.over(from, to)
+    }
+
+    /// Half of the way.
+    fn middle(&self) -> Dyadic<W> {
+        let [from, to] = &self.ends;
+        [&from[0] + &to[0], &from[1] + &to[1]]
+    }
+
+    /// From one of `2^bits` equal steps to another.
+    fn within(&self, steps: [u64; 2], bits: u32) -> Option<Self> {
+        let at = |k: u64| [(1 << bits) - k, k].map(|k| Integer::new(k as i64, 0));
+        let [from, to] = &self.ends;
+        let ends = steps.map(at);
+        let local = self.local.over(&ends[0], &ends[1]).checked()?;
+        let ends = ends.map(|[u, v]| [0, 1].map(|k| &from[k] * &u + &to[k] * &v));
+        Some(Self { ends, local })
+    }
+
+    /// Both halves.
+    fn halves(&self) -> Option<[Self; 2]> {
+        Some([self.within([0, 1], 1)?, self.within([1, 2], 1)?])
+    }
 }
 
 /// The sign of the difference of two times.
 fn order<W: Words>(p: &Dyadic<W>, q: &Dyadic<W>) -> Option<i32> {
     let difference = &p[1] * &q[0] - &q[1] * &p[0];
     difference.is_exact().then(|| difference.sign())
-}
-
-/// Half of the way, and the ends in its unit.
-fn halved<W: Words>([from, to]: &[Dyadic<W>; 2]) -> [Dyadic<W>; 3] {
-    let twice = |[u, v]: &Dyadic<W>| [u.shifted(1), v.shifted(1)];
-    [twice(from), [&from[0] + &to[0], &from[1] + &to[1]], twice(to)]
 }
 
 /// Some zeros, in no order.
@@ -128,30 +158,24 @@ fn simple_factors<W: Words>(form: &Form<W>) -> Option<[Option<Form<W>>; 2]> {
 /// Adds the zeros between the ends of a window of a form without double zeros.
 fn isolate<W: Words>(form: &Form<W>, window: &Window<W>, out: &mut Zeros<W>) -> Option<()> {
     // Variations of both halves are at most those of the whole, three: one half has several.
-    let whole = window.part(form)?;
-    let mut open = match whole.variations() {
-        0 => None,
-        1 => {
-            push(out, Time::Between(form.clone(), window.ends.clone(), whole.first_sign()));
-            None
-        }
-        _ => Some(window.ends.clone()),
-    };
+    let mut open = Some(Part { ends: window.ends.clone(), local: window.part(form)? });
     while let Some(part) = open.take() {
-        let [from, middle, to] = halved(&part);
-        let value = form.at(&middle);
-        if !value.is_exact() {
-            return None;
-        }
-        if value.sign() == 0 {
-            push(out, Time::At(middle.clone()));
-        }
-        for half in [[from, middle.clone()], [middle, to]] {
-            let local = form.over(&half[0], &half[1]).checked()?;
-            match local.variations() {
-                0 => (),
-                1 => push(out, Time::Between(form.clone(), half, local.first_sign())),
-                _ => open = Some(half),
+        match part.local.variations() {
+            0 => (),
+            1 => push(out, Time::Between(form.clone(), part)),
+            _ => {
+                if part.local.sign_halfway()? == 0 {
+                    push(out, Time::At(part.middle()));
+                }
+                let [first, second] = part.halves()?;
+                let (few, many) = match second.local.variations() {
+                    0 | 1 => (second, first),
+                    _ => (first, second),
+                };
+                if few.local.variations() == 1 {
+                    push(out, Time::Between(form.clone(), few));
+                }
+                open = Some(many);
             }
         }
     }
@@ -161,16 +185,11 @@ fn isolate<W: Words>(form: &Form<W>, window: &Window<W>, out: &mut Zeros<W>) -> 
 impl<W: Words> Time<W> {
     /// Halves the interval.
     fn halve(&mut self) -> Option<()> {
-        if let Time::Between(form, part, sign) = self {
-            let [from, middle, to] = halved(part);
-            let value = form.at(&middle);
-            if !value.is_exact() {
-                return None;
-            }
-            match value.sign() {
-                0 => *self = Time::At(middle),
-                s if s == *sign => *part = [middle, to],
-                _ => *part = [from, middle],
+        if let Time::Between(_, part) = self {
+            match part.local.sign_halfway()? {
+                0 => *self = Time::At(part.middle()),
+                s if s == part.local.first_sign() => *part = part.within([1, 2], 1)?,
+                _ => *part = part.within([0, 1], 1)?,
             }
         }
         Some(())
@@ -179,29 +198,17 @@ impl<W: Words> Time<W> {
     /// Makes the interval shorter: two of `2^`[`STEPS`] parts, where exact signs confirm what
     /// rounded arithmetic guesses; else a half.
     pub fn narrow(&mut self) -> Option<()> {
-        if let Time::Between(form, part, sign) = self {
-            let [from, to] = &*part;
-            let guess = form.over(from, to).checked()?.guess();
-            let steps = 1u64 << STEPS;
-            let step = (guess * steps as f64 + 0.5) as u64;
-            let at = |k: u64| -> Dyadic<W> {
-                let [a, b] = [steps - k, k].map(|k| Integer::new(k as i64, 0));
-                [&from[0] * &a + &to[0] * &b, &from[1] * &a + &to[1] * &b]
-            };
-            // Times that are few halves of the interval are found as they are.
-            let times = [step.saturating_sub(1), step, (step + 1).min(steps)].map(at);
-            let values = times.each_ref().map(|time| form.at(time));
-            if !values.iter().all(Integer::is_exact) {
-                return None;
-            }
-            let [first, middle, last] = times;
-            let [before, there, after] = values.map(|value| value.sign());
-            if there == 0 && 0 < step && step < steps {
-                *self = Time::At(middle);
+        if let Time::Between(_, part) = self {
+            let (steps, sign) = (1 << STEPS, part.local.first_sign());
+            let step = (part.local.guess() * steps as f64 + 0.5) as u64;
+            let around = part.within([step.saturating_sub(1), (step + 1).min(steps)], STEPS)?;
+            if 0 < step && step < steps && around.local.sign_halfway()? == 0 {
+                *self = Time::At(around.middle());
                 return Some(());
             }
-            if [before, after] == [*sign, -*sign] {
-                *part = [first, last];
+            let c = around.local.coefficients();
+            if [c[0].sign(), c[around.local.degree()].sign()] == [sign, -sign] {
+                *part = around;
                 return Some(());
             }
         }
@@ -212,7 +219,7 @@ impl<W: Words> Time<W> {
     fn ends(&self) -> [&Dyadic<W>; 2] {
         match self {
             Time::At(time) => [time; 2],
-            Time::Between(_, [from, to], _) => [from, to],
+            Time::Between(_, Part { ends: [from, to], .. }) => [from, to],
         }
     }
 
@@ -260,15 +267,15 @@ impl<W: Words> Time<W> {
                     let value = of.at(time);
                     return value.is_exact().then_some(value.sign());
                 }
-                Time::Between(form, [from, to], _) => {
-                    if let Some(sign) = of.over(from, to).checked()?.sign() {
+                Time::Between(form, part) => {
+                    if let Some(sign) = part.part(&of).checked()?.sign() {
                         return Some(sign);
                     }
                     // It is 0 if the common divisor has a zero there, and that has one or none.
                     turns += 1;
                     if turns == PATIENCE {
                         let common = form.common(&of)?;
-                        let local = common.over(from, to).checked()?;
+                        let local = part.part(&common).checked()?;
                         if local.variations() % 2 == 1 {
                             return Some(0);
                         }
@@ -282,9 +289,9 @@ impl<W: Words> Time<W> {
     /// The time, rounded down and up.
     pub fn enclosure(&mut self) -> Option<[f64; 2]> {
         loop {
-            let (form, [from, to], before) = match self {
+            let (form, Part { ends: [from, to], local }) = match self {
                 Time::At(time) => return Window::rounded(time),
-                Time::Between(form, ends, sign) => (form, ends, *sign),
+                Time::Between(form, part) => (form, part),
             };
             let [lo, hi] = [Window::rounded(from)?[0], Window::rounded(to)?[1]];
             let between = lo.next_up();
@@ -297,7 +304,7 @@ impl<W: Words> Time<W> {
                 let sign = value.is_exact().then(|| value.sign())?;
                 return Some(match sign {
                     0 => [between; 2],
-                    _ if sign == before => [between, hi],
+                    _ if sign == local.first_sign() => [between, hi],
                     _ => [lo, between],
                 });
             }

@@ -31,6 +31,15 @@ fn check_operations<W: Words>(mut random: Random) {
         assert_eq!(value(&(&a * &b + &c)), &p * &q + &r);
         assert_eq!(value(&(&a * &b - &c)), &p * &q - &r);
         assert_eq!(value(&(&a - &b * &c)), &p - &q * &r);
+        for (negated, want) in [(false, &r + &p * &q), (true, &r - &p * &q)] {
+            let mut sum = c.clone();
+            sum.add_product(&a, &b, negated);
+            assert_eq!(value(&sum), want);
+            sum.add_product(&a, &b, !negated);
+            assert_eq!(value(&sum), r);
+            sum.add_product(&-c.clone(), &Integer::new(1, 0), false);
+            assert_eq!(value(&sum), BigInt::ZERO);
+        }
         let square = &a * &a - &b * &b;
         assert_eq!(value(&square), (&p + &q) * (&p - &q));
         assert_eq!(value(&(square - (&a + &b) * (&a - &b))), BigInt::ZERO);
@@ -73,6 +82,15 @@ fn what_does_not_fit_is_marked() {
     assert!((most() + -power(0)).is_exact() && !(most() + most()).is_exact());
     assert!(!(most() * most()).is_exact() && !most().shifted(1).is_exact());
     assert!((most() * power(0)).is_exact());
+    let sum = |mut x: Fixed<1>, a: &Fixed<1>, b: &Fixed<1>, negated: bool| {
+        x.add_product(a, b, negated);
+        x.is_exact()
+    };
+    assert!(sum(most(), &most(), &power(0), true) && !sum(most(), &most(), &power(0), false));
+    assert!(sum(Fixed::ZERO, &power(31), &power(32), false));
+    assert!(!sum(Fixed::ZERO, &power(32), &power(32), true));
+    assert!(!sum(most() + most(), &Fixed::ZERO, &Fixed::ZERO, false));
+    assert!(!sum(Fixed::ZERO, &(most() + most()), &Fixed::ZERO, false));
     assert!(!((most() + most()) - (most() + most())).is_exact());
     assert!(!(power(32) * power(32)).is_exact());
     assert!((power(32) * power(31)).is_exact());
