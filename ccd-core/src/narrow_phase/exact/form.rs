@@ -144,9 +144,10 @@ impl<W: Words> Form<W> {
     /// As a form over a part of the step: `from` and `to` are `u` and `v` at its ends, whose sums
     /// are one power of two.
     ///
-    /// Of `x` and `y` over the part let `z = x + y`: `v = v_0 z + (v_1 - v_0) y`, and `u + v` is the
-    /// power of two times `z`. So numbers but `v_0` are shifted or added: first to a form of `u + v`
-    /// and `v`, then from `v` to `y` by a Taylor shift, then to `x` and `y`.
+    /// With `x` and `y` of the part and `z = x + y`, `v = v_0 z + (v_1 - v_0) y`, and `u + v` is
+    /// the power of two times `z`. So the form becomes one of `u + v` and `v`, by differences; one
+    /// of `z` and `y`, by a Taylor shift, which has ten products with `v_0` of degree 4; and one of
+    /// `x` and `y`, by sums.
     pub fn over(&self, from: &[Integer<W>; 2], to: &[Integer<W>; 2]) -> Self {
         let (mut out, n) = (self.clone(), self.degree);
         let c = &mut out.c;

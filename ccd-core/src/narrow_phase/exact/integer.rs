@@ -207,7 +207,7 @@ impl<W: Words> Integer<W> {
 
     /// Adds the product of two numbers, or its negative.
     pub fn add_product(&mut self, a: &Self, b: &Self, negated: bool) {
-        // One word more than either: it has a sign below.
+        // One word more than either, for a carry or a sign.
         let len = self.len.max(a.len + b.len) + 1;
         if self.lost || a.lost || b.lost || len > W::MOST {
             return self.accumulate(&a.product(b), negated);
@@ -224,6 +224,7 @@ impl<W: Words> Integer<W> {
         if self.negative == negative {
             add_product(words, a.words(), b.words());
         } else {
+            // The product less this number.
             negate(words);
             add_product(words, a.words(), b.words());
             match words[len - 1] >> 63 {
