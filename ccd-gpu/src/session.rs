@@ -319,18 +319,21 @@ impl Engine {
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
         let summary = &mut found.summary;
+        // Contacts that the device counted are not in the list; their earliest time is.
+        let counted = goal.is_earliest() && options.mode == Mode::Conservative;
+        let device = (counted && found.earliest != decide::NEVER)
+            .then(|| f32::from_bits(found.earliest) as f64);
+        let earliest = goal.is_earliest().then(|| device.unwrap_or(f64::INFINITY));
+        let listed = (&mut *contacts, &mut *summary);
         self.left_open = match given {
-            Precision::F32(x) => Host { mesh, x, decider }.finish(is_left, (contacts, summary)),
-            Precision::F64(x) => Host { mesh, x, decider }.finish(is_left, (contacts, summary)),
+            Precision::F32(x) => Host { mesh, x, decider }.finish(is_left, earliest, listed),
+            Precision::F64(x) => Host { mesh, x, decider }.finish(is_left, earliest, listed),
         };
         let undecided = summary.undecided.iter().map(|&at| contacts[at as usize].toi);
         let toi = undecided.fold(summary.toi, f64::min);
         report.toi = toi.is_finite().then_some(toi);
         report.undecided = summary.undecided.len() as u64;
-        if goal.is_earliest() && options.mode == Mode::Conservative {
-            // Contacts that the device counted are not in the list; their earliest time is.
-            let device =
-                (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
+        if counted {
             // Rounded as those of the device, so that it is the same whoever decides a pair.
             let host = report.toi.map(|toi| toi_to_f32(toi) as f64);
             report.toi = host.into_iter().chain(device).reduce(f64::min);

@@ -14,6 +14,9 @@ use ccd_core::model::mesh::Mesh;
 const TOUCHES: usize = 2048;
 /// Exact times that are: each takes a third of a microsecond.
 const TIMES: usize = 512;
+/// So many pairs of an earliest time are decided before the others, which may all be later than a
+/// contact of these.
+const ROUNDS: [usize; 3] = [8, 64, usize::MAX];
 
 /// What contacts say together.
 #[derive(Clone, Debug)]
@@ -98,11 +101,23 @@ pub struct Host<'a, T> {
 impl<T: Real> Host<'_, T> {
     /// Finds exact times, if they are wanted, and decides what a device left open, if it `is_left`
     /// to the host. Returns how many pairs that decided.
-    pub fn finish(&self, is_left: bool, (contacts, summary): Listed) -> PerKind {
+    ///
+    /// `earliest`: only the earliest time is wanted, and there is a contact at this one, or at
+    /// none if it is infinite. Then there are no contacts afterwards.
+    pub fn finish(
+        &self,
+        is_left: bool,
+        earliest: Option<f64>,
+        (contacts, summary): Listed,
+    ) -> PerKind {
         if self.decider.has_exact_times() {
             self.time((contacts, summary));
         }
-        if is_left { self.settle((contacts, summary)) } else { PerKind::default() }
+        match earliest {
+            _ if !is_left => PerKind::default(),
+            None => self.settle((contacts, summary)),
+            Some(latest) => self.settle_earliest(latest, (contacts, summary)),
+        }
     }
 
     /// Puts exact times into contacts of which a device is certain. Those whose time `f64` does not
@@ -121,6 +136,29 @@ impl<T: Real> Host<'_, T> {
         });
         *summary = Summary::default();
         summary.add(0, contacts);
+    }
+
+    /// Decides what a device left undecided and may be the earliest contact: no contact is before
+    /// the time of an undecided one.
+    fn settle_earliest(&self, latest: f64, (contacts, summary): Listed) -> PerKind {
+        let open = summary.undecided.iter().map(|&at| contacts[at as usize]);
+        let mut open: Vec<Contact> = open.collect();
+        open.sort_unstable_by(|a, b| a.toi.total_cmp(&b.toi));
+        let (mut toi, mut rest, mut n) = (summary.toi, &open[..], PerKind::default());
+        for most in ROUNDS {
+            let before = rest.partition_point(|contact| contact.toi < toi.min(latest));
+            let (now, later) = rest.split_at(before.min(most));
+            contacts.clear();
+            contacts.extend_from_slice(now);
+            *summary = Summary::default();
+            summary.add(0, contacts);
+            n = n.plus(self.settle((contacts, summary)));
+            toi = contacts.iter().map(|contact| contact.toi).fold(toi, f64::min);
+            rest = later;
+        }
+        contacts.clear();
+        *summary = Summary { toi, ..Summary::default() };
+        n
     }
 
     /// Decides again, in place, the contacts that a device left undecided, and drops those that are
@@ -215,6 +253,44 @@ mod tests {
             assert!(decided.into_iter().all(|contact| contact.toi > 0.49 && contact.toi <= 0.5));
             let toi = contacts.iter().map(|contact| contact.toi).fold(f64::INFINITY, f64::min);
             assert_eq!((summary.toi, summary.undecided), (toi, Vec::new()));
+        }
+    }
+
+    /// Vertices above a face each, which fall through at `1 / fall`, or stay: none is certain, and
+    /// bounds are nine tenths of the times, or 0.
+    #[test]
+    fn the_earliest_contact_needs_few_decisions() {
+        let n = 1000;
+        let fall = |i: u32| (i % 50 + 1 - i % 50 / 49 * 50) as f64;
+        let faces: Vec<[u32; 3]> = (0..n).map(|i| [4 * i, 4 * i + 1, 4 * i + 2]).collect();
+        let mesh = Mesh::new(4 * n as usize, &faces).expect("a mesh");
+        let group = |y: f64| [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, y, 0.2]];
+        let x = [0.0, 1.0].map(|end| (0..n).flat_map(|i| group(1.0 - end * fall(i))).collect());
+        let x: [Vec<[f64; 3]>; 2] = x;
+        let open = |i: u32| {
+            let toi = if fall(i) > 0.0 { 0.9 / fall(i) } else { 0.0 };
+            Contact::new(Kind::VertexFace, State::Undecided, 4 * i + 3, i, toi)
+        };
+        let options = Options::default().with_mode(Mode::Conservative);
+        let decider = &Decider::new(&options, [0.0, 1.0]);
+        let host = Host { mesh: &mesh, x: x.each_ref().map(|x| &x[..]), decider };
+        let given = || {
+            let contacts: Vec<Contact> = (0..n).map(open).collect();
+            let mut summary = Summary::default();
+            summary.add(0, &contacts);
+            (contacts, summary)
+        };
+        let (mut contacts, mut of_all) = given();
+        assert_eq!(host.settle((&mut contacts, &mut of_all)).total(), 1000);
+        assert!((0.02..0.0205).contains(&(of_all.toi + 1e-6)), "{}", of_all.toi);
+        // Of 20 each that stay, or whose bound is before the earliest contact; or before another.
+        for (latest, least, want) in
+            [(f64::INFINITY, 0..=120, of_all.toi), (0.015, 20..=20, f64::INFINITY)]
+        {
+            let (mut contacts, mut summary) = given();
+            let decided = host.settle_earliest(latest, (&mut contacts, &mut summary)).total();
+            assert!(least.contains(&decided), "{latest}: {decided}");
+            assert_eq!((summary.toi, contacts.len(), summary.undecided.len()), (want, 0, 0));
         }
     }
 }
