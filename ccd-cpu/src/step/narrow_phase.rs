@@ -124,7 +124,7 @@ impl Worker {
 
 /// Decides by integers what rounded arithmetic left open. Such pairs lie side by side, where
 /// features share a plane or meet in a corner, so that one worker finds most of them; each takes
-/// some 30 us, so all workers share them.
+/// some 15 us, so all workers share them.
 pub fn decide_open(threads: &Threads, scene: &Scene, workers: &mut [Worker]) {
     let n: usize = workers.iter().map(|worker| worker.open.len()).sum();
     let Some((first, others)) = workers.split_first_mut().filter(|_| n > 0) else { return };
