@@ -14,8 +14,8 @@ use ccd_core::model::mesh::Mesh;
 const TOUCHES: usize = 2048;
 /// Exact times that are: each takes a third of a microsecond.
 const TIMES: usize = 512;
-/// So many pairs of an earliest time are decided before the others, which may all be later than a
-/// contact of these.
+/// Where only the earliest time is wanted, so many pairs are decided at once: the others may all be
+/// later than a contact among these.
 const ROUNDS: [usize; 3] = [8, 64, usize::MAX];
 
 /// What contacts say together.
@@ -102,8 +102,8 @@ impl<T: Real> Host<'_, T> {
     /// Finds exact times, if they are wanted, and decides what a device left open, if it `is_left`
     /// to the host. Returns how many pairs that decided.
     ///
-    /// `earliest`: only the earliest time is wanted, and there is a contact at this one, or at
-    /// none if it is infinite. Then there are no contacts afterwards.
+    /// `earliest`: if only the earliest time is wanted, that of contacts which are not in the list,
+    /// or infinity. Where the host decides, the list is empty afterwards.
     pub fn finish(
         &self,
         is_left: bool,
@@ -138,8 +138,8 @@ impl<T: Real> Host<'_, T> {
         summary.add(0, contacts);
     }
 
-    /// Decides what a device left undecided and may be the earliest contact: no contact is before
-    /// the time of an undecided one.
+    /// Decides, of what a device left undecided, what may be the earliest contact: the time of an
+    /// undecided one is a lower bound.
     fn settle_earliest(&self, latest: f64, (contacts, summary): Listed) -> PerKind {
         let open = summary.undecided.iter().map(|&at| contacts[at as usize]);
         let mut open: Vec<Contact> = open.collect();
@@ -256,12 +256,12 @@ mod tests {
         }
     }
 
-    /// Vertices above a face each, which fall through at `1 / fall`, or stay: none is certain, and
-    /// bounds are nine tenths of the times, or 0.
+    /// Vertices above a face each, which fall through it at `1 / fall`, or stay. The device is
+    /// certain of none; its bounds are nine tenths of these times, or 0.
     #[test]
     fn the_earliest_contact_needs_few_decisions() {
         let n = 1000;
-        let fall = |i: u32| (i % 50 + 1 - i % 50 / 49 * 50) as f64;
+        let fall = |i: u32| (i % 50) as f64;
         let faces: Vec<[u32; 3]> = (0..n).map(|i| [4 * i, 4 * i + 1, 4 * i + 2]).collect();
         let mesh = Mesh::new(4 * n as usize, &faces).expect("a mesh");
         let group = |y: f64| [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, y, 0.2]];
@@ -284,12 +284,12 @@ mod tests {
         assert_eq!(host.settle((&mut contacts, &mut of_all)).total(), 1000);
         assert!((0.02..0.0205).contains(&(of_all.toi + 1e-6)), "{}", of_all.toi);
         // Of 20 each that stay, or whose bound is before the earliest contact; or before another.
-        for (latest, least, want) in
+        for (latest, counts, want) in
             [(f64::INFINITY, 0..=120, of_all.toi), (0.015, 20..=20, f64::INFINITY)]
         {
             let (mut contacts, mut summary) = given();
             let decided = host.settle_earliest(latest, (&mut contacts, &mut summary)).total();
-            assert!(least.contains(&decided), "{latest}: {decided}");
+            assert!(counts.contains(&decided), "{latest}: {decided}");
             assert_eq!((summary.toi, contacts.len(), summary.undecided.len()), (want, 0, 0));
         }
     }

@@ -151,12 +151,7 @@ impl<W: Words> Form<W> {
     pub fn over(&self, from: &[Integer<W>; 2], to: &[Integer<W>; 2]) -> Self {
         let (mut out, n) = (self.clone(), self.degree);
         let c = &mut out.c;
-        for last in (1..=n).rev() {
-            for k in 1..=last {
-                let [before, here] = neighbours(c, k);
-                here.accumulate(before, true);
-            }
-        }
+        add_second(&mut c[..=n], true);
         let (one, way) = (&from[0] + &from[1], &to[1] - &from[1]);
         let Some(shift) = one.bits().checked_sub(1) else { return Self::LOST };
         for (k, c) in c[..=n].iter_mut().enumerate() {
@@ -173,12 +168,7 @@ impl<W: Words> Form<W> {
             *c = &*c * &power;
             power = power * &way;
         }
-        for last in (1..=n).rev() {
-            for k in 1..=last {
-                let [before, here] = neighbours(c, k);
-                here.accumulate(before, false);
-            }
-        }
+        add_second(&mut c[..=n], false);
         out
     }
 
@@ -341,6 +331,16 @@ impl<W: Words> Form<W> {
             }
         }
         determinant(&rows, n, 0, [0, 1, 2, 3])
+    }
+}
+
+/// Makes a form of `u` and `v` that of `u + v` and `v`, or with `negated` of `u - v` and `v`.
+fn add_second<W: Words>(c: &mut [Integer<W>], negated: bool) {
+    for last in (1..c.len()).rev() {
+        for k in 1..=last {
+            let [before, here] = neighbours(c, k);
+            here.accumulate(before, negated);
+        }
     }
 }
 

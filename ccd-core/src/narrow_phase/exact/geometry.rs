@@ -15,13 +15,15 @@
 //! contact is inside of both features and passes through, as most do.
 
 use super::ball::{self, Ball};
-use super::features::{Features, differences};
+use super::features::Features;
 use super::form::Form;
 use super::integer::{Integer, power_of_two};
 use super::vector::Number;
 use super::words::{Longest, Words};
 use super::zeros::{Time, Window, zeros};
-use super::{at_begin_of, checked, moment, moving, never_zero, refine, searching, units, vectors};
+use super::{
+    at_begin_of, checked, moment, moving_features, never_zero, refine, searching, units, vectors,
+};
 use crate::math::expansion;
 use crate::math::vec3::max_abs;
 use crate::narrow_phase::contact_geometry::unit_vector;
@@ -103,7 +105,7 @@ fn by_integers<W: Words>(
     ends: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Option<Meeting>> {
-    let features = Features::of_differences(patch, moving(differences(patch), ends));
+    let features = moving_features(patch, ends);
     let window = Window::<W>::new(window)?;
     let coplanarity = features.coplanarity().checked()?;
     let part = window.part(&coplanarity)?;
@@ -151,12 +153,8 @@ fn by_integers<W: Words>(
     let normal = match side {
         0 => None,
         _ => {
-            let n = direction(
-                &mut time,
-                features.normal(),
-                is_zero,
-                units(ends.into_iter().flatten()),
-            )?;
+            let units = units(ends.into_iter().flatten());
+            let n = direction(&mut time, features.normal(), is_zero, units)?;
             Some(n.map(|x| if side > 0 { x } else { -x }))
         }
     };

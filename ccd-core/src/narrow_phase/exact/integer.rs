@@ -142,7 +142,7 @@ impl<W: Words> Integer<W> {
         out
     }
 
-    /// With the last of `len` words not 0.
+    /// Counts the words in use, of which there are at most `len`.
     fn trim(&mut self, len: usize) {
         let words = &self.words.as_ref()[..len];
         self.len = words.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
@@ -295,7 +295,8 @@ fn negate(words: &mut [u64]) {
     }
 }
 
-/// Adds a product to words, at most one less than those of both numbers; whether the last carries.
+/// Adds a product to words, of which there are as many as both numbers have, or more, or one less;
+/// whether the last one carries.
 #[inline(always)]
 fn add_product(words: &mut [u64], a: &[u64], b: &[u64]) -> bool {
     let mut carries = false;

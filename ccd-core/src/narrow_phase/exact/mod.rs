@@ -150,6 +150,11 @@ fn moving<W: Words, const N: usize, const K: usize>(
     out
 }
 
+/// Features that move over a step, `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
+fn moving_features<W: Words>(patch: Patch, ends: [&[[f64; 3]; 4]; 2]) -> Features<Form<W>> {
+    Features::of_differences(patch, moving(differences(patch), ends))
+}
+
 /// For each axis the greatest power of two of which all coordinates on it are whole multiples.
 fn units<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> [i32; 3] {
     let least = |units: [i32; 3], p: &[f64; 3]| [0, 1, 2].map(|k| units[k].min(parts(p[k]).1));
@@ -310,8 +315,7 @@ fn by_integers<W: Words>(
     ends: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    Features::of_differences(patch, moving(differences(patch), ends))
-        .contact(&Window::<W>::new(window)?)
+    moving_features(patch, ends).contact(&Window::<W>::new(window)?)
 }
 
 /// The same of a vertex and an edge.

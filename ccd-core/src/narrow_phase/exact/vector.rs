@@ -12,13 +12,10 @@ pub trait Number: Clone {
     fn minus(&self, other: &Self) -> Self;
     /// The product.
     fn times(&self, other: &Self) -> Self;
-    /// Adds a product.
-    fn add_product(&mut self, a: &Self, b: &Self) {
-        *self = self.plus(&a.times(b));
-    }
-    /// Subtracts a product.
-    fn subtract_product(&mut self, a: &Self, b: &Self) {
-        *self = self.minus(&a.times(b));
+    /// Adds a product, or its negative.
+    fn add_product(&mut self, a: &Self, b: &Self, negated: bool) {
+        let product = a.times(b);
+        *self = if negated { self.minus(&product) } else { self.plus(&product) };
     }
 }
 
@@ -32,11 +29,8 @@ impl<W: Words> Number for Integer<W> {
     fn times(&self, other: &Self) -> Self {
         self * other
     }
-    fn add_product(&mut self, a: &Self, b: &Self) {
-        Integer::add_product(self, a, b, false);
-    }
-    fn subtract_product(&mut self, a: &Self, b: &Self) {
-        Integer::add_product(self, a, b, true);
+    fn add_product(&mut self, a: &Self, b: &Self, negated: bool) {
+        Integer::add_product(self, a, b, negated);
     }
 }
 
@@ -50,11 +44,8 @@ impl<W: Words> Number for Form<W> {
     fn times(&self, other: &Self) -> Self {
         Form::times(self, other)
     }
-    fn add_product(&mut self, a: &Self, b: &Self) {
-        Form::add_product(self, a, b, false);
-    }
-    fn subtract_product(&mut self, a: &Self, b: &Self) {
-        Form::add_product(self, a, b, true);
+    fn add_product(&mut self, a: &Self, b: &Self, negated: bool) {
+        Form::add_product(self, a, b, negated);
     }
 }
 
@@ -69,8 +60,8 @@ pub fn minus<T: Number>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
 /// `a . b`
 pub fn dot<T: Number>(a: &Vector<T>, b: &Vector<T>) -> T {
     let mut sum = a[0].times(&b[0]);
-    sum.add_product(&a[1], &b[1]);
-    sum.add_product(&a[2], &b[2]);
+    sum.add_product(&a[1], &b[1], false);
+    sum.add_product(&a[2], &b[2], false);
     sum
 }
 
@@ -78,7 +69,7 @@ pub fn dot<T: Number>(a: &Vector<T>, b: &Vector<T>) -> T {
 pub fn cross<T: Number>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
     let at = |i: usize, j: usize| {
         let mut minor = a[i].times(&b[j]);
-        minor.subtract_product(&a[j], &b[i]);
+        minor.add_product(&a[j], &b[i], true);
         minor
     };
     [at(1, 2), at(2, 0), at(0, 1)]

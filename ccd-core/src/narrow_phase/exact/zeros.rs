@@ -32,20 +32,20 @@ pub type Dyadic<W> = [Integer<W>; 2];
 pub enum Time<W> {
     /// A dyadic one.
     At(Dyadic<W>),
-    /// The only zero of a form without double zeros within a part.
+    /// The only zero of a form without double zeros within a part of the step.
     Between(Form<W>, Part<W>),
 }
 
-/// What is between two dyadic times, whose sums of `u` and `v` are the same.
+/// A part of the step between two dyadic times, whose sums of `u` and `v` are the same.
 #[derive(Clone, Debug)]
 pub struct Part<W> {
     ends: [Dyadic<W>; 2],
-    /// A form over it, of which nothing is lost.
+    /// The form whose zeros are looked for, over it; nothing of it is lost.
     local: Form<W>,
 }
 
 impl<W: Words> Part<W> {
-    /// A form over it.
+    /// Another form over it.
     pub fn part(&self, form: &Form<W>) -> Form<W> {
         let [from, to] = &self.ends;
         form.over(from, to)
@@ -202,6 +202,7 @@ impl<W: Words> Time<W> {
             let (steps, sign) = (1 << STEPS, part.local.first_sign());
             let step = (part.local.guess() * steps as f64 + 0.5) as u64;
             let around = part.within([step.saturating_sub(1), (step + 1).min(steps)], STEPS)?;
+            // A time of few halves of the interval is found as it is.
             if 0 < step && step < steps && around.local.sign_halfway()? == 0 {
                 *self = Time::At(around.middle());
                 return Some(());
