@@ -125,8 +125,16 @@ pub trait Real:
     fn to_unit(self) -> Self;
 }
 
+/// Bits of a number as a signed integer of the same order, and the way back.
+macro_rules! ordered {
+    ($int:ty, $bits:expr) => {{
+        let bits = $bits as $int;
+        bits ^ (bits >> (<$int>::BITS - 1)) & <$int>::MAX
+    }};
+}
+
 macro_rules! real {
-    ($t:ty, $unit:expr, $guess:expr, $exponent:expr, $enclosure:expr) => {
+    ($t:ty, $int:ty, $unit:expr, $guess:expr, $exponent:expr, $enclosure:expr) => {
         impl Num for $t {
             const UNIT: Self = $unit;
             const MIN_NORMAL: Self = <$t>::MIN_POSITIVE;
@@ -188,6 +196,12 @@ macro_rules! real {
             fn next_up(self) -> Self {
                 // By bits, because devices have no such instruction: bits of numbers of one sign
                 // are in the order of the numbers.
+                if !cfg!(target_arch = "spirv") {
+                    // Without branches, so that compilers make vectors of it; no zero is negative.
+                    let key = ordered!($int, (self + 0.0).to_bits()) + 1;
+                    let next = <$t>::from_bits(ordered!($int, key) as _);
+                    return if self < <$t>::INFINITY { next } else { self };
+                }
                 let bits = self.to_bits();
                 if bits & $exponent == $exponent && !(self < 0.0) {
                     self
@@ -242,20 +256,14 @@ fn enclosure(x: f64) -> (f32, f32) {
     // Without branches, of which a processor would foresee every other one. A zero has the sign of
     // `x`, so the next number beyond it is on the same side.
     let y = x as f32;
-    let key = ordered(y.to_bits() as i32);
+    let key = ordered!(i32, y.to_bits());
     let [down, up] = [(y as f64) > x, (y as f64) < x].map(i32::from);
-    let number = |key| f32::from_bits(ordered(key) as u32);
+    let number = |key: i32| f32::from_bits(ordered!(i32, key) as u32);
     (number(key - down), number(key + up))
 }
 
-/// Bits of an `f32` as an integer of the same order, and the way back.
-#[inline(always)]
-fn ordered(bits: i32) -> i32 {
-    bits ^ ((bits >> 31) as u32 >> 1) as i32
-}
-
-real!(f32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000, |x| (x, x));
-real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000, enclosure);
+real!(f32, i32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000, |x| (x, x));
+real!(f64, i64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000, enclosure);
 
 #[cfg(test)]
 mod tests {

@@ -132,11 +132,16 @@ impl Still {
         (self.made, self.table) = (None, None);
     }
 
-    /// Boxes of vertices, but for those that hold.
-    pub fn fill<B: Send>(&self, threads: &Threads, boxes: &mut [B], f: impl Fn(usize) -> B + Sync) {
+    /// Boxes of vertices, but for those that hold, in parts that begin at the given index.
+    pub fn chunks<B: Send>(
+        &self,
+        threads: &Threads,
+        boxes: &mut [B],
+        f: &(dyn Fn(usize, &mut [B]) + Sync),
+    ) {
         match self.made() {
-            Some(runs) => threads.fill_in(boxes, runs, f),
-            None => threads.fill(boxes, f),
+            Some(runs) => threads.chunks_in(boxes, runs, f),
+            None => threads.chunks(boxes, f),
         }
     }
 

@@ -1,12 +1,11 @@
 //! What is made of every vertex of a step: checked coordinates, the table that filters read, boxes.
 
 use super::Prepared;
-use crate::simd::WIDTH;
+use crate::simd::{RowSimd, WIDTH, Work};
 use crate::step::positions::Ends;
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::quantization::{Table, margin};
-use ccd_core::math::vec3::max_abs;
 use ccd_core::model::method::{BroadPhaseMethod, Volume};
 use ccd_core::model::options::Options;
 use ccd_core::{Aabb, Error, Real};
@@ -21,7 +20,9 @@ impl Prepared {
     ) -> Result<(), Error> {
         let call = self.call.take();
         let runs = x.times.moved.filter(|moved| moved.follows(call)).map(|moved| moved.runs);
-        self.scan = self.scans.check(threads, (x.x0, x.x1), runs)?;
+        if !x.times.again {
+            self.scan = self.scans.check(threads, (x.x0, x.x1), runs)?;
+        }
         self.still.look(threads, (x.x0, x.x1), options.min_distance, runs)?;
         self.call = x.times.moved.map(|to| to.call);
         self.units = self.fill_table(threads, x);
@@ -53,20 +54,29 @@ impl Prepared {
         let Self { vertices, still, .. } = self;
         let boxes = &mut vertices.boxes;
         threads.resize(boxes, x.x0.len(), || Aabb::EMPTY);
-        if x.times.whole() {
-            still.fill(threads, boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
-        } else {
-            still.fill(threads, boxes, |i| {
-                if x.x0[i] == x.x1[i] {
-                    // Where it is at any time is exact; and so it stays the box of the whole step.
-                    return swept_box::vertex(i, x.x0, x.x1, margin);
-                }
-                let [p, q] = x.ends(i);
-                let largest = max_abs(x.x0[i].map(T::to_f64)).max(max_abs(x.x1[i].map(T::to_f64)));
-                swept_box::swept(p, q)
-                    .inflated(margin.to_f64() + swept_box::end_error(largest))
-                    .round_out()
-            });
-        }
+        let part = |first: usize, out: &mut [Aabb<f32>]| {
+            let of = first..first + out.len();
+            let (x0, x1, times) = (&x.x0[of.clone()], &x.x1[of], [x.times.from, x.times.until]);
+            crate::simd::run_rows!(Sweep { x0, x1, times, margin, out })
+        };
+        still.chunks(threads, boxes, &part);
+    }
+}
+
+/// Boxes of vertices, written where they belong.
+struct Sweep<'a, T> {
+    x0: &'a [[T; 3]],
+    x1: &'a [[T; 3]],
+    times: [f64; 2],
+    margin: T,
+    out: &'a mut [Aabb<f32>],
+}
+
+impl<S: RowSimd, T: Real> Work<S> for Sweep<'_, T> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self, _: S) {
+        swept_box::vertices(self.x0, self.x1, self.times, self.margin, self.out);
     }
 }
