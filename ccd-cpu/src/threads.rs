@@ -132,12 +132,12 @@ impl Threads {
         &self,
         workers: &mut [W],
         scratch: &mut [S],
-        f: &(dyn Fn(&mut W, &mut S) + Sync),
+        f: &(dyn Fn(usize, &mut W, &mut S) + Sync),
     ) {
         assert_eq!(workers.len(), scratch.len());
         let scratch = Parts::new(scratch, 1);
         // SAFETY: `each` gives each number to one call.
-        self.each(workers, &|k, worker| f(worker, &mut unsafe { scratch.part(k) }[0]));
+        self.each(workers, &|k, worker| f(k, worker, &mut unsafe { scratch.part(k) }[0]));
     }
 
     /// Fills `out[i] = f(i)`.
@@ -194,8 +194,9 @@ impl Threads {
 
     /// Runs `f` for parts of `out` that begin at the given index.
     pub fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
-        // Elements a task, some 64 KiB: small enough to balance, large enough to amortise.
-        let n = if size_of::<T>() > 64 { 256 } else { 2048 };
+        // Elements a task, at most some 64 KiB: small enough to balance, large enough to amortise.
+        let most = if size_of::<T>() > 64 { 256 } else { 2048 };
+        let n = out.len().div_ceil(4 * self.count).clamp(most / 8, most);
         let parts = Parts::new(out, n);
         // SAFETY: `calls` gives each number to one call.
         self.calls(parts.count(), usize::MAX, &|k| f(k * n, unsafe { parts.part(k) }));

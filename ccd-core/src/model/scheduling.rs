@@ -29,8 +29,9 @@ pub use workers::WorkerOptions;
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Scheduling {
-    /// `None`: as the method does it by itself. That is [`Scheduler::SelfScheduling`] on a CPU, but
-    /// for `simultaneous`, which one thread does; and [`Scheduler::Frontier`] on a GPU.
+    /// `None`: as the method does it by itself. That is [`Scheduler::SelfScheduling`] on a CPU, of
+    /// blocks with a share of neighbours for each worker [Markatos 1994], but for `simultaneous`,
+    /// which one thread does; and [`Scheduler::Frontier`] on a GPU.
     pub scheduler: Option<Scheduler>,
     /// Where a step begins.
     pub front: Front,

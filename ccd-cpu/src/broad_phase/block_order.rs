@@ -71,6 +71,7 @@ impl BlockSource {
     }
 
     fn make(&mut self, n: usize) {
+        self.cut = None;
         if self.trees.len() < n {
             self.trees.resize_with(n, BlockBvh::default);
             self.curves.resize_with(n, CurveOrder::default);

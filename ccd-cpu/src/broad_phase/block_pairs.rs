@@ -18,7 +18,12 @@ pub struct BlockSource {
     /// What sorts each set.
     pub curves: Vec<CurveOrder>,
     tasks: Tasks,
+    /// The sets whose pairs were cut into these tasks, until a tree changes.
+    pub cut: Option<[Option<Sets>; 2]>,
 }
+
+/// The numbers of the sets of a search.
+type Sets = (usize, Option<usize>);
 
 /// Two blocks of the same level whose boxes are to be tested against each other; level 0 holds the
 /// leaves.
@@ -57,10 +62,11 @@ impl PairSource for BlockSource {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
+        let cut = self.is_cut([Some(sides), None]);
         let Self { trees, tasks, .. } = self;
         raise(trees, sides);
         let search = BlockPairs::of(trees, sides).map(|pairs| pairs.search(sink));
-        tasks.run(threads, search, None::<Search<BlockPairs, K>>, part, workers);
+        tasks.run(threads, search, None::<Search<BlockPairs, K>>, (part, cut), workers);
     }
 }
 
@@ -74,11 +80,19 @@ impl BlockSource {
         part: usize,
         workers: &mut [K::Worker],
     ) {
+        let cut = self.is_cut([Some(first), Some(second)]);
         let Self { trees, tasks, .. } = self;
         [first, second].into_iter().for_each(|sides| raise(trees, sides));
         let first = BlockPairs::of(trees, first).map(|pairs| pairs.search(first_sink));
         let second = BlockPairs::of(trees, second).map(|pairs| pairs.search(second_sink));
-        tasks.run(threads, first, second, part, workers);
+        tasks.run(threads, first, second, (part, cut), workers);
+    }
+
+    /// Whether the tasks of the last search are those of this one, too.
+    fn is_cut(&mut self, searches: [Option<Sides>; 2]) -> bool {
+        let sets = |(a, b): Sides| (a.set().index, b.map(|b| b.set().index));
+        let searches = searches.map(|sides| sides.map(sets));
+        self.cut.replace(searches) == Some(searches)
     }
 }
 

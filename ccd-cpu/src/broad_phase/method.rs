@@ -4,7 +4,7 @@ use crate::broad_phase::block_pairs::BlockSource;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Sides};
 use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::broad_phase::rows::{HandOn, Row, RowSource, Rows, Scratch};
-use crate::broad_phase::tasks::share;
+use crate::broad_phase::tasks::Shares;
 use crate::broad_phase::tree::TreeSource;
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::{
@@ -69,7 +69,7 @@ impl Method {
             BroadPhaseMethod::UniformGrid => Box::new(UniformGrid::default()),
             other => return Err(Error::NotCompiled { name: other.row().name, backend: "cpu" }),
         };
-        Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
+        Ok(Self::Listed(Listed { source, buffers: Vec::new(), shares: Shares::default() }))
     }
 
     /// Calls three functions, each with the order of its set: at once where sets share nothing, as
@@ -163,8 +163,8 @@ impl PairSource for Method {
 /// What is done with the order of one set.
 pub type OfSet<'a> = dyn FnMut(&mut dyn Order) + Send + 'a;
 
-/// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks have
-/// self-scheduling without a front, compiled into every sink.
+/// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks share
+/// out tasks as `tasks.rs` does, which stands for self-scheduling without a front, too.
 fn is_chosen(scheduling: Scheduling, method: BroadPhaseMethod) -> bool {
     let by_itself = method == BroadPhaseMethod::Blocks
         && scheduling == Scheduling::default().scheduler(Scheduler::SelfScheduling);
@@ -176,6 +176,7 @@ fn is_chosen(scheduling: Scheduling, method: BroadPhaseMethod) -> bool {
 pub struct Listed {
     source: Box<dyn RowSource>,
     buffers: Vec<Own<(Scratch, Vec<Row>)>>,
+    shares: Shares,
 }
 
 impl PairSource for Listed {
@@ -212,6 +213,6 @@ impl PairSource for Listed {
             rows.flush();
         };
         let (n, buffers) = (n_tasks.div_ceil(part), &mut self.buffers);
-        share(threads, n, workers, buffers, &run, &|worker| sink.end(worker));
+        self.shares.run(threads, n, workers, buffers, &run, &|worker| sink.end(worker));
     }
 }

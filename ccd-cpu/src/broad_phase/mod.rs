@@ -8,7 +8,7 @@
 //! One more method takes
 //! - a file here with its source of pairs, behind the feature `catalogue`. One that descends two
 //!   hierarchies at once implements `descend::FrontTree` and leaves the rest to `scheduled.rs`,
-//!   which runs it by any scheduler; one that makes queries hands them out by [`tasks::share`];
+//!   which runs it by any scheduler; one that makes queries hands them out by [`tasks::Shares`];
 //! - an arm of [`method::Method::new`];
 //! - a variant in `ccd-core/src/model/method.rs` and a row in `catalogue.rs` beside it.
 //!

@@ -15,7 +15,7 @@ use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
 use crate::broad_phase::scheduler::shared_queue::{self, blocking, lock_free};
 use crate::broad_phase::scheduler::stealing::{self, stealing};
 use crate::broad_phase::scheduler::{Hand, Lists, PAIRS_OF_NODES, Schedule};
-use crate::broad_phase::tasks::{MIN_TASKS, share};
+use crate::broad_phase::tasks::{MIN_TASKS, Shares};
 use crate::clock::{Instant, milliseconds};
 use crate::stop::Stop;
 use crate::threads::{Own, Threads};
@@ -36,6 +36,7 @@ pub struct Scheduled {
     most_workers: usize,
     /// Rows in order, for sinks that want one.
     rows: Vec<Row>,
+    shares: Shares,
     /// Times of all descents since this was set.
     times: Option<DescentTimes>,
 }
@@ -88,9 +89,9 @@ impl Scheduled {
             resumed: Lists::default(),
             n_split: 0,
         };
-        let (buffers, rows) = (Vec::new(), Vec::new());
+        let (buffers, rows, shares) = (Vec::new(), Vec::new(), Shares::default());
         let most_workers = choice.workers.workers as usize;
-        Ok(Self { source, descent, buffers, most_workers, rows, times: None })
+        Ok(Self { source, descent, buffers, most_workers, rows, shares, times: None })
     }
 
     /// From now on, whether the clock is asked where the time of descents goes; from zero.
@@ -139,7 +140,7 @@ impl PairSource for Scheduled {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        let Self { source, descent, buffers, most_workers, rows, times } = self;
+        let Self { source, descent, buffers, most_workers, rows, shares, times } = self;
         descent.n_split = 0;
         prepare(buffers, workers.len());
         if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
@@ -151,7 +152,7 @@ impl PairSource for Scheduled {
         source.descend(threads, sides, &mut |pairs| {
             descent.run((n, &threads.stop), sets, pairs, part, times, &mut |job| {
                 let (workers, buffers) = (&mut workers[..n], &mut buffers[..n]);
-                threads.each_with(workers, buffers, &|worker, Own(buffer)| {
+                threads.each_with(workers, buffers, &|_, worker, Own(buffer)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
                     buffer.work(K::ORDERED, timed, &threads.stop, &mut hand_on, job);
@@ -169,7 +170,7 @@ impl PairSource for Scheduled {
                 crate::simd::run_rows!(HandOn { rows, sink, worker });
             };
             let n = rows.len().div_ceil(Rows::CAPACITY);
-            share(threads, n, workers, buffers, &run, &|worker| sink.end(worker));
+            shares.run(threads, n, workers, buffers, &run, &|worker| sink.end(worker));
         } else {
             threads.each(workers, &|_, worker| sink.end(worker));
         }

@@ -7,7 +7,7 @@ use ccd_core::{Error, Real};
 use std::ops::Range;
 
 /// Vertices of a part.
-const PART: usize = 2048;
+const PART: usize = 512;
 
 /// What is known of each part.
 #[derive(Debug, Default)]

@@ -8,7 +8,8 @@
 //!
 //! Cost: one atomic addition a task, and at the end workers are idle for at most as long as the
 //! longest task takes. Choose it where there are many more tasks than workers and none is most of
-//! the work: it is the default, in a form that is compiled into what takes the pairs.
+//! the work. By blocks it is the default, in a form that is compiled into what takes the pairs, and
+//! that has neighbours done by one worker ([`crate::broad_phase::tasks`]).
 
 use super::{Launch, Lists, Schedule, drain};
 use crate::stop::Stop;

@@ -34,7 +34,13 @@ impl Prepared {
             return;
         }
         let table = &table[..];
-        let lengths = [v.lengths(table), e.lengths(table), f.lengths(table)];
+        let (mut of_v, mut of_e, mut of_f) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        threads.together(
+            || of_v = v.lengths(table),
+            || of_e = e.lengths(table),
+            || of_f = f.lengths(table),
+        );
+        let lengths = [of_v, of_e, of_f];
         let [around_both, at_start] = [0, 1].map(|k| lengths.iter().map(|l| l[k]).sum::<f64>());
         *asks_ends = around_both > LONG * at_start;
         if !*asks_ends {
