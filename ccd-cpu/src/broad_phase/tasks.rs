@@ -1,5 +1,5 @@
-//! Runs a tree of pairs on threads, compiled into every sink: cut into tasks breadth first, of which
-//! each worker has a share and finishes one after the other depth first, with a stack of its own.
+//! Runs a tree of pairs on threads, compiled into every sink: cut into tasks breadth first, of
+//! which each worker has a share and does one after the other depth first, on a stack of its own.
 //!
 //! Twin: on a GPU `block_levels.rs`, which expands a level a dispatch.
 //!
