@@ -172,6 +172,7 @@ mod tests {
             }
         }
     }
+
     fn check_whole<R: Real>(number: &mut dyn FnMut() -> R, margins: &[R]) {
         for n in 0..14 {
             let [x0, x1] = [0, 1].map(|_| -> Vec<[R; 3]> {
