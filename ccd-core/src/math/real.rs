@@ -197,8 +197,8 @@ macro_rules! real {
                 // By bits, because devices have no such instruction: bits of numbers of one sign
                 // are in the order of the numbers.
                 if !cfg!(target_arch = "spirv") {
-                    // Without branches, so that compilers make vectors of it, and without arithmetic,
-                    // which may flush. Beyond a negative zero is what is beyond a positive one.
+                    // Without branches, so that compilers make vectors of it, and arithmetic, which
+                    // may flush. Beyond a negative zero is what is beyond a positive one.
                     let key = ordered!($int, self.to_bits());
                     let key = key + 1 + (key == -1) as $int;
                     let next = <$t>::from_bits(ordered!($int, key) as _);
