@@ -18,7 +18,7 @@ pub struct BlockSource {
     /// What sorts each set.
     pub curves: Vec<CurveOrder>,
     tasks: Tasks,
-    /// The sets whose pairs were cut into these tasks, until a tree changes.
+    /// The sets of the last search, whose tasks there are, until a tree changes.
     pub cut: Option<[Option<Sets>; 2]>,
 }
 
@@ -62,7 +62,7 @@ impl PairSource for BlockSource {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        let cut = self.is_cut([Some(sides), None]);
+        let cut = self.begin([Some(sides), None]);
         let Self { trees, tasks, .. } = self;
         raise(trees, sides);
         let search = BlockPairs::of(trees, sides).map(|pairs| pairs.search(sink));
@@ -80,7 +80,7 @@ impl BlockSource {
         part: usize,
         workers: &mut [K::Worker],
     ) {
-        let cut = self.is_cut([Some(first), Some(second)]);
+        let cut = self.begin([Some(first), Some(second)]);
         let Self { trees, tasks, .. } = self;
         [first, second].into_iter().for_each(|sides| raise(trees, sides));
         let first = BlockPairs::of(trees, first).map(|pairs| pairs.search(first_sink));
@@ -88,8 +88,8 @@ impl BlockSource {
         tasks.run(threads, first, second, (part, cut), workers);
     }
 
-    /// Whether the tasks of the last search are those of this one, too.
-    fn is_cut(&mut self, searches: [Option<Sides>; 2]) -> bool {
+    /// Begins a search of these sets. Returns whether the tasks of the last one are its own, too.
+    fn begin(&mut self, searches: [Option<Sides>; 2]) -> bool {
         let sets = |(a, b): Sides| (a.set().index, b.map(|b| b.set().index));
         let searches = searches.map(|sides| sides.map(sets));
         self.cut.replace(searches) == Some(searches)

@@ -114,7 +114,7 @@ impl Method {
     }
 
     /// As [`PairSource::find`], of two pairs of sides without a common side, each with its sink.
-    /// Blocks have who finds nothing left of the first begin with the second.
+    /// By blocks workers share the tasks of both.
     pub fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
         &mut self,
         threads: &Threads,
@@ -163,8 +163,8 @@ impl PairSource for Method {
 /// What is done with the order of one set.
 pub type OfSet<'a> = dyn FnMut(&mut dyn Order) + Send + 'a;
 
-/// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks share
-/// out tasks as `tasks.rs` does, which stands for self-scheduling without a front, too.
+/// Whether a scheduler or a front was chosen that the method does not have by itself. By blocks
+/// self-scheduling without a front is what they do by themselves (`tasks.rs`).
 fn is_chosen(scheduling: Scheduling, method: BroadPhaseMethod) -> bool {
     let by_itself = method == BroadPhaseMethod::Blocks
         && scheduling == Scheduling::default().scheduler(Scheduler::SelfScheduling);

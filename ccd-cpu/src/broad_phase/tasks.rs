@@ -35,9 +35,9 @@ pub struct Tasks {
 }
 
 impl Tasks {
-    /// Hands the rows of all leaf pairs below the roots of up to two trees to their sinks; who
-    /// finds no task of the first begins with the second. `part`: only every so many-th task of
-    /// each (1: all). `cut`: whether these are the traversals of the call before.
+    /// Hands the rows of all leaf pairs below the roots of up to two trees to their sinks; workers
+    /// share the tasks of both. `part`: only every so many-th task of each (1: all). `cut`: whether
+    /// there are tasks of these traversals, from the call before.
     pub fn run<T: PairTree, K: PairSink, L: PairSink<Worker = K::Worker>>(
         &mut self,
         threads: &Threads,
@@ -253,13 +253,14 @@ mod tests {
     fn who_has_nothing_left_takes_half_of_the_most() {
         let mut shares = Shares::default();
         shares.deal(100, 4);
-        // The second has done its own 25 by now, of 25, 50, and the third one, of 50, one.
+        // Worker 1 does its own tasks, 25 to 49, and worker 2 the first of its own. Then workers 0
+        // and 3 have 25 left, the most; of equal ones the last is taken from.
         (0..25).for_each(|i| assert_eq!(shares.next(1), Some(25 + i)));
         assert_eq!(shares.next(2), Some(50));
-        assert_eq!(shares.next(1), Some(87), "half of what the last one has");
+        assert_eq!(shares.next(1), Some(87), "half of worker 3's");
         assert_eq!(shares.next(1), Some(88));
         assert_eq!(shares.next(3), Some(75));
-        // Alone, the first does all that is left.
+        // Worker 0, alone, does all that is left.
         let mut left: Vec<_> = std::iter::from_fn(|| shares.next(0)).collect();
         left.sort_unstable();
         let others = (0..25).chain(51..75).chain(76..87).chain(89..100);

@@ -38,7 +38,6 @@ pub fn find<W: Take>(
     match only {
         Some(Kind::EdgeEdge) => method.find(threads, sides_ee, part, &sink_ee, workers),
         Some(_) => method.find(threads, sides_vf, part, &sink_vf, workers),
-        // Edges last: with more of them, their tasks are handed out in smaller parts at the end.
         None => {
             method.find_two(threads, (sides_vf, &sink_vf), (sides_ee, &sink_ee), part, workers);
         }
