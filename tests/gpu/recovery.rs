@@ -176,7 +176,9 @@ fn check_sessions(device: &Device) {
     }
     let stacks = Traversal::CutStacks { nodes: 8, descent: Descent::Larger };
     let stacks = BroadPhaseMethod::Tree(tree.traversal(stacks));
-    check(&small, Options::default().with_broad_phase(stacks), &of_small, 0);
+    let stacks = Options::default().with_broad_phase(stacks);
+    check(&small, stacks.clone(), &of_small, 0);
+    check(&small, stacks.with_pipeline(triangles), &of_triangles, 0);
     assert!(n_failed > n / 2, "{n_failed} calls failed in {n} sessions");
 }
 

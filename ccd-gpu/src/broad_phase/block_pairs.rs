@@ -4,6 +4,8 @@ use super::block_bvh::{ALL, Pass, Tree};
 use super::pair_source::{PairSource, Search};
 use super::scheduled::Scheduled;
 use crate::bind::{ListCandidates, ListOverlaps, ListWanted};
+use crate::device::Device;
+use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::layout::Frame;
@@ -92,7 +94,15 @@ impl PairSource for Tree {
         self.descent.as_ref()
     }
 
-    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
-        self.descent.as_mut()
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        match &mut self.descent {
+            Some(scheduled) => scheduled.settle(device, counted, complete),
+            None => Ok(false),
+        }
     }
 }

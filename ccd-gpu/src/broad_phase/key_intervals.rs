@@ -202,6 +202,10 @@ impl PairSource for IntervalSource {
     fn lists_mut(&mut self) -> Vec<&mut List> {
         self.work.iter_mut().collect()
     }
+
+    fn settle(&mut self, _: &Device, _: &[Vec<u32>], _: bool) -> Result<bool, Error> {
+        Ok(false)
+    }
 }
 
 #[cfg(test)]

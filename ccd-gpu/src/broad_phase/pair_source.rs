@@ -76,11 +76,6 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// The same, for [`PairSource::settle`].
-    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
-        None
-    }
-
     /// Bytes of buffers that are read when a search is over, for [`PairSource::settle`].
     fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
         self.scheduled().map(Scheduled::counters).unwrap_or_default()
@@ -90,18 +85,14 @@ pub trait PairSource: Send + Sync {
     /// [`PairSource::counters`]. If a list was too short it is not `complete`: that list has grown,
     /// and the search runs again. Returns whether buffers were replaced.
     ///
-    /// A search that is recorded without this call is not one after which order is kept.
+    /// A search that is recorded without this call is not one after which order is kept. No default:
+    /// what hands on to another source must hand on this, or rounds that left pairs stay too few.
     fn settle(
         &mut self,
         device: &Device,
         counted: &[Vec<u32>],
         complete: bool,
-    ) -> Result<bool, Error> {
-        match self.scheduled_mut() {
-            Some(scheduled) => scheduled.settle(device, counted, complete),
-            None => Ok(false),
-        }
-    }
+    ) -> Result<bool, Error>;
 
     /// What fronts the last search left; `None` without any.
     fn front(&self) -> Option<FrontCounts> {

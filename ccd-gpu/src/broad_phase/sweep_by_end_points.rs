@@ -71,4 +71,8 @@ impl PairSource for EndPointSource {
             }
         }
     }
+
+    fn settle(&mut self, _: &Device, _: &[Vec<u32>], _: bool) -> Result<bool, Error> {
+        Ok(false)
+    }
 }

@@ -188,17 +188,13 @@ impl PairSource for TreeSource {
         if let Some(stacks) = &mut self.stacks {
             stacks.settle();
         }
-        match self.scheduled_mut() {
-            Some(scheduled) => scheduled.settle(device, counted, complete),
+        match &mut self.descent {
+            Some(descent) => descent.scheduled.settle(device, counted, complete),
             None => Ok(false),
         }
     }
 
     fn scheduled(&self) -> Option<&Scheduled> {
         self.descent.as_ref().map(|descent| &descent.scheduled)
-    }
-
-    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
-        self.descent.as_mut().map(|descent| &mut descent.scheduled)
     }
 }

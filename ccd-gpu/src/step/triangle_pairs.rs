@@ -270,8 +270,13 @@ impl PairSource for TrianglePairs {
         self.source.scheduled()
     }
 
-    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
-        self.source.scheduled_mut()
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        self.source.settle(device, counted, complete)
     }
 
     fn work(&self, headers: &[Header]) -> Option<u64> {
