@@ -6,7 +6,7 @@ use crate::programs::{
 };
 use crate::{lints, wasm};
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Instant, SystemTime};
 
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
@@ -120,14 +120,17 @@ fn long(root: &Path) -> Result<(), String> {
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
     let no_gpu = ["--release", "-p", "meshccd-c", "--no-default-features", "--lib"];
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
+    // Each day others: what fails says which.
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+    let seed = (since.map_err(|e| e.to_string())?.as_secs() / 86_400).to_string();
+    let attack = ["cargo", "xtask", "attack", "--seed", &seed];
     for backend in ["cpu", "gpu"] {
         for kind in ["boxes", "queries", "sessions"] {
-            let attack = ["cargo", "xtask", "attack", "--backend", backend, "--kind", kind];
-            command(root, &attack)?;
+            command(root, &[&attack[..], &["--backend", backend, "--kind", kind]].concat())?;
         }
     }
     // 20,000 queries of each family; 10000 cases are a million.
-    command(root, &["cargo", "xtask", "attack", "--kind", "exact", "--cases", "200"])?;
+    command(root, &[&attack[..], &["--kind", "exact", "--cases", "200"]].concat())?;
     let benches = ["--release", "-p", "ccd-benches", "--features", "criterion"];
     let clippy = [&["cargo", "clippy", "--all-targets"][..], &benches, &["--", "-D", "warnings"]];
     command(root, &clippy.concat())?;

@@ -85,8 +85,8 @@ pub trait PairSource: Send + Sync {
     /// [`PairSource::counters`]. If a list was too short it is not `complete`: that list has grown,
     /// and the search runs again. Returns whether buffers were replaced.
     ///
-    /// A search that is recorded without this call is not one after which order is kept. No default:
-    /// what hands on to another source must hand on this, or rounds that left pairs stay too few.
+    /// A search that is recorded without this call is not one after which order is kept. There is
+    /// no default: a source over another one hands it on, or rounds that left pairs stay too few.
     fn settle(
         &mut self,
         device: &Device,
