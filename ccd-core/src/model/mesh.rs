@@ -82,14 +82,8 @@ impl Mesh {
             n_degenerate += (edge[0] == edge[1]) as usize;
         }
         let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let mut edges: Vec<[u32; 2]> = sides
-            .chain(more_edges.iter().copied())
-            .filter(|[a, b]| a != b)
-            .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
-            .collect();
-        edges.sort_unstable_by_key(|&[a, b]| (b, a));
-        edges.dedup();
-        edges.shrink_to_fit();
+        let all = sides.chain(more_edges.iter().copied()).filter(|[a, b]| a != b);
+        let edges = each_once(n_vertices, all.map(|[a, b]| if a < b { [a, b] } else { [b, a] }));
         let mut has_edge = alloc::vec![false; n_vertices];
         edges.iter().flatten().for_each(|&v| has_edge[v as usize] = true);
         let alone = (0..).zip(has_edge).filter(|(_, has_edge)| !has_edge);
@@ -199,9 +193,39 @@ fn check_index(
     }
 }
 
+/// These edges `[a, b]`, `a < b`, sorted by `b`, then by `a`, each once: by counting for each `b`,
+/// then a sort of its few `a`.
+fn each_once(n_vertices: usize, all: impl Iterator<Item = [u32; 2]> + Clone) -> Vec<[u32; 2]> {
+    let mut ends = alloc::vec![0; n_vertices];
+    all.clone().for_each(|[_, b]| ends[b as usize] += 1);
+    let mut n = 0u32;
+    for end in &mut ends {
+        // Where the list of a vertex begins; it is its end when all are in place.
+        (*end, n) = (n, n + *end);
+    }
+    let mut lesser = alloc::vec![0; n as usize];
+    for [a, b] in all {
+        let end = &mut ends[b as usize];
+        lesser[*end as usize] = a;
+        *end += 1;
+    }
+    let mut edges = Vec::new();
+    let mut start = 0;
+    for (b, end) in (0..).zip(ends) {
+        let list = &mut lesser[start..end as usize];
+        list.sort_unstable();
+        let distinct = list.chunk_by(|a, next| a == next);
+        edges.extend(distinct.map(|same| [same[0], b]));
+        start = end as usize;
+    }
+    edges.shrink_to_fit();
+    edges
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     #[test]
     fn edges_are_sorted_and_unique() {
@@ -209,6 +233,23 @@ mod tests {
         assert_eq!(mesh.edges(), [[0, 1], [0, 2], [1, 2], [0, 3], [1, 4], [2, 4]]);
         assert_eq!(mesh.n_degenerate(), 1);
         assert_eq!(Mesh::new(0, &[]).unwrap().edges(), [[0u32; 2]; 0]);
+    }
+
+    #[test]
+    fn edges_of_many_faces_are_those_of_a_sort() {
+        let mut random = Random::new(3);
+        for n in [3, 40, 5000] {
+            let mut vertex = || (random.unit() * n as f64) as u32;
+            let faces: Vec<[u32; 3]> = (0..3000).map(|_| [(); 3].map(|()| vertex())).collect();
+            let more: Vec<[u32; 2]> = (0..100).map(|_| [(); 2].map(|()| vertex())).collect();
+            let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+            let pairs = sides.chain(more.iter().copied()).filter(|[a, b]| a != b);
+            let mut want: Vec<[u32; 2]> = pairs.map(|[a, b]| [a.max(b), a.min(b)]).collect();
+            want.sort_unstable();
+            want.dedup();
+            let mesh = Mesh::with_edges(n, &faces, &more).unwrap();
+            assert!(mesh.edges().iter().map(|&[a, b]| [b, a]).eq(want), "{n} vertices");
+        }
     }
 
     #[test]

@@ -62,13 +62,11 @@ impl CurveOrder {
         let grid = self.grid(threads, boxes);
         let (curve, turned) = (self.curve, turned_octants());
         let upper = |of: [usize; LANES]| match curve {
-            Curve::Hilbert => {
-                hilbert_codes::<UPPER_LEVELS, LANES>(turned, of.map(|i| &boxes[i]), &grid)
-            }
+            Curve::Hilbert => hilbert_codes::<UPPER_LEVELS, LANES>(turned, boxes, of, &grid),
             Curve::Morton => of.map(|i| upper_morton::<UPPER_LEVELS>(grid.cell(&boxes[i]))),
         };
         let whole = |i: usize| match curve {
-            Curve::Hilbert => hilbert_codes::<BITS, 1>(turned, [&boxes[i]], &grid)[0],
+            Curve::Hilbert => hilbert_codes::<BITS, 1>(turned, boxes, [i], &grid)[0],
             Curve::Morton => upper_morton::<BITS>(grid.cell(&boxes[i])),
         };
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;

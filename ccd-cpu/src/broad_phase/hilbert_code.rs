@@ -39,16 +39,21 @@ pub fn turned_octants() -> &'static Turned {
     &TURNED
 }
 
-/// The Hilbert codes of the cells of boxes' centres, on a grid of [`BITS`] an axis: three bits of
-/// each of the upper levels, all of which there are [`BITS`]. Each look into the table waits for
+/// The Hilbert codes of the cells of these boxes' centres, on a grid of [`BITS`] an axis: three bits
+/// of each of the upper levels, all of which there are [`BITS`]. Each look into the table waits for
 /// the one before, not for those of other boxes.
 #[inline(never)]
 pub fn hilbert_codes<const LEVELS: u32, const K: usize>(
     turned: &Turned,
-    boxes: [&Aabb; K],
+    boxes: &[Aabb],
+    of: [usize; K],
     grid: &MortonGrid,
 ) -> [u64; K] {
-    let morton = boxes.map(|aabb| upper_morton::<LEVELS>(grid.cell(aabb)));
+    // A loop: `map` of an array is a call for each box here.
+    let mut morton = [0; K];
+    for k in 0..K {
+        morton[k] = upper_morton::<LEVELS>(grid.cell(&boxes[of[k]]));
+    }
     hilbert::<LEVELS, K>(turned, morton)
 }
 

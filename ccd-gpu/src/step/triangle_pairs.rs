@@ -29,7 +29,6 @@ use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::model::precision::Given;
 use ccd_core::model::report::TriangleCounts;
-use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Bytes of all counts.
@@ -260,10 +259,6 @@ impl PairSource for TrianglePairs {
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
         self.source.lists_mut().into_iter().chain([&mut self.pairs]).collect()
-    }
-
-    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        self.source.counters()
     }
 
     fn scheduled(&self) -> Option<&Scheduled> {

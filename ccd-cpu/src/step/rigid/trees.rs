@@ -19,7 +19,8 @@ const NONE: u32 = u32::MAX;
 
 /// The upper 30 bits of the Hilbert code of a box's centre.
 fn code_of(aabb: &Aabb, grid: &MortonGrid) -> u32 {
-    let [code] = hilbert_codes::<UPPER_LEVELS, 1>(turned_octants(), [aabb], grid);
+    let boxes = std::slice::from_ref(aabb);
+    let [code] = hilbert_codes::<UPPER_LEVELS, 1>(turned_octants(), boxes, [0], grid);
     (code >> 3) as u32
 }
 
