@@ -39,9 +39,9 @@ pub fn turned_octants() -> &'static Turned {
     &TURNED
 }
 
-/// The Hilbert codes of the cells of these boxes' centres, on a grid of [`BITS`] an axis: three bits
-/// of each of the upper levels, all of which there are [`BITS`]. Each look into the table waits for
-/// the one before, not for those of other boxes.
+/// The Hilbert codes of the cells of these boxes' centres, on a grid of [`BITS`] an axis: three
+/// bits of each of the upper levels, all of which there are [`BITS`]. Each look into the table
+/// waits for the one before, not for those of other boxes.
 #[inline(never)]
 pub fn hilbert_codes<const LEVELS: u32, const K: usize>(
     turned: &Turned,
