@@ -120,7 +120,7 @@ fn long(root: &Path) -> Result<(), String> {
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
     let no_gpu = ["--release", "-p", "meshccd-c", "--no-default-features", "--lib"];
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
-    // Each day others: what fails says which.
+    // Other cases every day; one that fails is printed with the command that replays it.
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     let seed = (since.map_err(|e| e.to_string())?.as_secs() / 86_400).to_string();
     let attack = ["cargo", "xtask", "attack", "--seed", &seed];

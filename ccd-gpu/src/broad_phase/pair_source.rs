@@ -86,7 +86,8 @@ pub trait PairSource: Send + Sync {
     /// and the search runs again. Returns whether buffers were replaced.
     ///
     /// A search that is recorded without this call is not one after which order is kept. There is
-    /// no default: a source over another one hands it on, or rounds that left pairs stay too few.
+    /// no default, so that a source that wraps another cannot forget to hand this on: a search that
+    /// left pairs would run again with as few rounds.
     fn settle(
         &mut self,
         device: &Device,
