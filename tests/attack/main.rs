@@ -10,8 +10,10 @@ mod boxes;
 mod exact;
 mod queries;
 mod query_families;
+mod session_bodies;
 mod session_check;
 mod session_faults;
+mod session_scenes;
 mod session_steps;
 mod sessions;
 

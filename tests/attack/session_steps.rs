@@ -1,28 +1,32 @@
 //! A session and a change of it, made of a number.
 
+use super::session_bodies::Stands;
 use super::session_faults::break_device;
+use super::session_scenes::{N_BODIES, Scene, body_of, scene};
 use super::{Counts, Place};
 use ccd::any::{Error, Session};
 use ccd::method::{BroadPhaseMethod, Catalogued, Pipeline, TriangleOptions};
-use ccd::scenes::{Step, crumpled_sheet, particles_and_rods, triangle_soup};
+use ccd::scenes::Step;
 use ccd::{Bodies, Groups, Kind, Mesh, Options};
 use ccd_testkit::grazing::random::Random;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-const N_BODIES: u32 = 9;
-
 pub struct State<'a> {
     pub place: &'a Place,
     pub step: Step,
-    /// Coordinates are multiplied by this.
+    /// Coordinates were multiplied by this.
     pub unit: f64,
-    /// Body of each vertex; connected elements share one.
-    body_of: Vec<u32>,
+    /// Whether the scene is far from the origin for its size.
+    pub is_far: bool,
+    /// Body of each vertex.
+    pub body_of: Vec<u32>,
     pub session: Session,
     /// Pairs are left out whose ids add up to a multiple of this; 0: none.
     pub filter: u32,
     /// Part of the motion in the next step, an index.
     part: usize,
+    /// Where bodies are that are moved by themselves; `None`: nobody has said.
+    pub stands: Option<Stands>,
 }
 
 /// Parts of a motion.
@@ -30,49 +34,23 @@ const PARTS: [[f64; 2]; 4] = [[0.0, 1.0], [1.0, 0.0], [0.25, 0.5], [0.0, 0.0]];
 
 pub type Ends = [Vec<[f64; 3]>; 2];
 
-fn scene(random: &mut Random) -> (Step, f64) {
-    let seed = random.below(1 << 20) as u32;
-    let n = [2, 6, 12, 24][random.below(4)];
-    let size = [0.4, 0.15][random.below(2)];
-    let step = match random.below(10) {
-        0..3 => particles_and_rods(n, seed),
-        3..6 => triangle_soup(2 * n, size, seed),
-        6..9 => crumpled_sheet(n, seed),
-        _ => two_particles(),
-    };
-    (step, 2f64.powi([0, 0, 0, -120, 100, 20][random.below(6)]))
-}
-
-/// A mesh without edges and faces.
-fn two_particles() -> Step {
-    let mesh = Mesh::new(2, &[]).expect("no ids");
-    Step { mesh, x0: vec![[0.0; 3]; 2], x1: vec![[1.0; 3]; 2] }
-}
-
-/// The first vertex of the body of `v`.
-fn find(root: &[u32], mut v: u32) -> u32 {
-    while root[v as usize] != v {
-        v = root[v as usize];
-    }
-    v
-}
-
-fn body_of(step: &Step) -> Vec<u32> {
-    let mut root: Vec<u32> = (0..step.mesh.n_vertices() as u32).collect();
-    for &[a, b] in step.mesh.edges() {
-        let (a, b) = (find(&root, a), find(&root, b));
-        root[a.max(b) as usize] = a.min(b);
-    }
-    (0..root.len() as u32).map(|v| find(&root, v) * 7 % N_BODIES).collect()
-}
-
 impl<'a> State<'a> {
     pub fn new(place: &'a Place, first: u64) -> Result<Self, Error> {
         let random = &mut Random::new(first);
-        let (step, unit) = scene(random);
+        let Scene { step, unit, is_far } = scene(random);
         let options = options(place, random, &Options::default());
         let session = Session::new(&place.choice, step.mesh.clone(), options)?;
-        Ok(Self { place, body_of: body_of(&step), step, unit, session, filter: 0, part: 0 })
+        Ok(Self {
+            place,
+            body_of: body_of(&step),
+            step,
+            unit,
+            is_far,
+            session,
+            filter: 0,
+            part: 0,
+            stands: None,
+        })
     }
 
     pub fn change(&mut self, random: &mut Random, counts: &mut Counts) -> Result<(), Error> {
@@ -81,8 +59,9 @@ impl<'a> State<'a> {
         let flag = random.below(2) == 0;
         match kind {
             0 => {
-                (self.step, self.unit) = scene(random);
+                Scene { step: self.step, unit: self.unit, is_far: self.is_far } = scene(random);
                 self.body_of = body_of(&self.step);
+                self.stands = None;
                 let bodies = self.bodies(random);
                 // A distance of another unit is another scene.
                 self.session
@@ -119,6 +98,11 @@ impl<'a> State<'a> {
         self.session.set_filter(move |_, a, b| keeps(n, a, b))
     }
 
+    /// Names of bodies that have vertices.
+    pub fn used_bodies(&self) -> Vec<u32> {
+        (0..N_BODIES).filter(|b| self.body_of.contains(b)).collect()
+    }
+
     fn bodies(&self, random: &mut Random) -> Option<Bodies> {
         if random.below(6) == 0 {
             return None;
@@ -129,7 +113,7 @@ impl<'a> State<'a> {
             .with_fixed_mask(&fixed)
             .with_self_contacts(self_contact)
             .with_fixed_motion(moves);
-        let used: Vec<u32> = (0..N_BODIES).filter(|b| self.body_of.contains(b)).collect();
+        let used = self.used_bodies();
         for &b in &used {
             let (other, number) = (used[random.below(used.len())], random.below(4) as u32);
             all = match random.below(10) {
@@ -167,7 +151,7 @@ impl<'a> State<'a> {
             let at = |v: usize| -> [f64; 3] {
                 let still = bodies.is_some_and(|b| b.is_fixed(v as u32) && !b.fixed_may_move());
                 let t = if still { (self.part / 8 % 3) as f64 * 0.25 } else { t };
-                std::array::from_fn(|i| (x0[v][i] + (x1[v][i] - x0[v][i]) * t) * self.unit)
+                std::array::from_fn(|i| x0[v][i] + (x1[v][i] - x0[v][i]) * t)
             };
             (0..x0.len()).map(at).collect()
         })
@@ -269,9 +253,10 @@ fn unless_nobody(body: u32, done: Result<(), Error>) -> Result<(), Error> {
 /// Another method, scheduling, pipeline, tolerance, number of threads.
 fn options(place: &Place, random: &mut Random, before: &Options) -> Options {
     let backend = place.backend();
+    let all = random.below(6) == 0;
     let is_wanted = |m: &BroadPhaseMethod| {
         let is_left_out = backend == "gpu" && *m == BroadPhaseMethod::UniformGrid;
-        ccd_testkit::methods::is_near_default(*m) && !is_left_out
+        (all || ccd_testkit::methods::is_near_default(*m)) && !is_left_out
     };
     let methods: Vec<BroadPhaseMethod> = ccd::method::every(backend).filter(is_wanted).collect();
     let method = methods[random.below(methods.len())];

@@ -1,6 +1,8 @@
 //! Sessions in which everything that can change changes between steps, in any order, with calls
 //! that fail in between: after each change a session finds what a new one by brute force does.
 //!
+//! Bodies move by themselves in between, with all that a session keeps of them.
+//!
 //! A change is made of a number of its own, so that changes may be left out without others
 //! becoming different ones. What a number stands for is decided in `session_steps.rs`: a case in a
 //! file means the same for as long as the order of the draws stays.
@@ -39,6 +41,7 @@ impl super::Case for Case {
             state.change(random, counts).map_err(|e| format!("an error: {e}"))?;
             counts.add("steps", 1);
             state.check(random, counts)?;
+            state.check_bodies(random, counts)?;
         }
         Ok(())
     }
