@@ -36,29 +36,13 @@ impl State<'_> {
         if random.below(2) == 0 || self.session.options().bodies.is_none() {
             return Ok(());
         }
-        let anew = random.below(4) == 0;
-        let narrow = random.below(3) == 0;
-        let mut stands = match self.stands.take().filter(|_| !anew) {
-            Some(stands) => stands,
-            None => {
-                let [x, _] = self.ends();
-                let rounded =
-                    |p: &[f64; 3]| p.map(|c| if narrow { f64::from(c as f32) } else { c });
-                let rest: Vec<_> = x.iter().map(rounded).collect();
-                let done = if narrow {
-                    self.session.set_positions(&cast::<f32>(&rest))
-                } else {
-                    self.session.set_positions(&rest)
-                };
-                done.map_err(|e| format!("positions: {e}"))?;
-                Stands { narrow, now: rest.clone(), rest }
-            }
-        };
         let options = match self.place.backend() {
             "gpu" => self.plain_options(),
             _ => self.session.options().clone(),
         };
-        for _ in 0..1 + random.below(4) {
+        for _ in 0..1 + random.below(6) {
+            let stands = self.stands.take().filter(|_| random.below(6) > 0);
+            let mut stands = stands.map_or_else(|| self.set_positions(random), Ok)?;
             counts.add("steps of bodies", 1);
             let n = if stands.narrow {
                 self.move_bodies::<f32>(&mut stands, &options, random)?
@@ -66,9 +50,24 @@ impl State<'_> {
                 self.move_bodies::<f64>(&mut stands, &options, random)?
             };
             counts.add("contacts of bodies", n as u64);
+            self.stands = Some(stands);
         }
-        self.stands = Some(stands);
         Ok(())
+    }
+
+    /// Has all bodies stand where the next step begins, in `f32` or in `f64`.
+    fn set_positions(&mut self, random: &mut Random) -> Result<Stands, String> {
+        let narrow = random.below(3) == 0;
+        let [x, _] = self.ends();
+        let rounded = |p: &[f64; 3]| p.map(|c| if narrow { f64::from(c as f32) } else { c });
+        let rest: Vec<_> = x.iter().map(rounded).collect();
+        let done = if narrow {
+            self.session.set_positions(&cast::<f32>(&rest))
+        } else {
+            self.session.set_positions(&rest)
+        };
+        done.map_err(|e| format!("positions: {e}"))?;
+        Ok(Stands { narrow, now: rest.clone(), rest })
     }
 
     /// A step of bodies; the number of its contacts.
@@ -123,14 +122,17 @@ impl State<'_> {
         Ok(want.contacts.len())
     }
 
-    /// Some of the bodies that may move, none or all of them.
+    /// Some of the bodies that may move, none, one or all of them.
     fn motions<T: Coordinate>(&self, stands: &Stands, random: &mut Random) -> Vec<Motion<T>> {
         let bodies = self.session.options().bodies.as_ref().expect("bodies");
         let [from, to] = self.ends();
-        let chance = [0, 1, 2, 4, 4][random.below(5)];
+        let chance = [0, 1, 2, 4][random.below(4)];
+        let used = self.used_bodies();
+        let one = (random.below(2) == 0).then(|| used[random.below(used.len())]);
         let mut all = Vec::new();
-        for body in self.used_bodies() {
-            let (is_left, is_posed) = (random.below(4) >= chance, random.below(4) > 0);
+        for body in used {
+            let is_left = one.map_or(random.below(4) >= chance, |one| one != body);
+            let is_posed = random.below(4) > 0;
             let of = || (0..self.body_of.len()).filter(|&v| self.body_of[v] == body);
             let is_still = of().any(|v| bodies.is_fixed(v as u32)) && !bodies.fixed_may_move();
             if is_left || is_still {
