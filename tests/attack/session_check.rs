@@ -162,7 +162,8 @@ impl State<'_> {
         let key = |c: &Contact| (c.kind, c.a, c.b);
         let same = other.contacts.binary_search_by_key(&key(contact), key);
         let toi = same.map_or(until, |at| other.contacts[at].toi);
-        if !options.leave_contact || (toi - contact.toi).abs() <= 2.0 * options.tolerance {
+        let leaves = options.leave_contact && options.min_distance > 0.0;
+        if !leaves || (toi - contact.toi).abs() <= 2.0 * options.tolerance {
             return false;
         }
         let mesh = &self.step.mesh;
@@ -237,8 +238,30 @@ impl State<'_> {
         if !with_candidates {
             return Ok(());
         }
+        self.check_candidate_set(&mut fresh, [x0, x1])?;
         let other = if self.has_free_regions() { &mut fresh } else { by_brute_force };
         self.check_candidates(other, [x0, x1])
+    }
+
+    /// Earliest times of the step and of half of it, by candidates of the whole.
+    fn check_candidate_set<T: ccd::Coordinate>(
+        &mut self,
+        fresh: &mut ccd::Session,
+        [x0, x1]: [&Vec<[T; 3]>; 2],
+    ) -> Result<(), String> {
+        let set = self.session.candidate_set(x0, x1, 1e-3 * self.unit);
+        let mut set = set.map_err(|e| format!("a set of candidates: {e}"))?;
+        let half = |(p, q): (&[T; 3], &[T; 3])| -> [T; 3] {
+            let at = |k: usize| p[k].to_f64() + 0.5 * (q[k].to_f64() - p[k].to_f64());
+            [0, 1, 2].map(|k| T::from_f64(at(k)))
+        };
+        let halves: Vec<[T; 3]> = x0.iter().zip(x1).map(half).collect();
+        for x1 in [x1, &halves] {
+            let all = fresh.step(x0, x1).map_err(of_new)?;
+            let found = set.earliest_toi(x0, x1);
+            self.check_earliest(all, found.map_err(|e| format!("a set of candidates: {e}"))?)?;
+        }
+        Ok(())
     }
 
     /// The candidates that a session lists beside those of another one.

@@ -7,7 +7,7 @@ use super::{Counts, Place};
 use ccd::any::{Error, Session};
 use ccd::method::{BroadPhaseMethod, Catalogued, Pipeline, TriangleOptions};
 use ccd::scenes::Step;
-use ccd::{Bodies, Groups, Kind, Mesh, Options};
+use ccd::{Bodies, CancelToken, Groups, Kind, Mesh, Mode, Options};
 use ccd_testkit::grazing::random::Random;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -73,12 +73,18 @@ impl<'a> State<'a> {
             3 => unless_nobody(body, self.session.set_sleeping(body, flag)),
             4 => self.session.set_fixed_motion(flag),
             5 => {
+                // Decisions without rounding take none.
+                let is_exact = self.session.options().mode == Mode::Exact;
                 let distance = [0.0, 0.01, 1e-9, 0.05][random.below(4)];
-                self.session.set_min_distance(distance * self.unit)
+                let distance = if is_exact { 0.0 } else { distance * self.unit };
+                self.session.set_min_distance(distance)
             }
             6 | 7 => {
                 let options = options(self.place, random, self.session.options());
                 self.session.set_options(options.clone())?;
+                let mode = options.mode;
+                let is_on_cpu = self.place.backend() == "cpu";
+                let options = options.with_mode(if is_on_cpu { mode } else { mode.on_device() });
                 ensure(*self.session.options() == options, "other options")
             }
             8 if self.place.backend() == "cpu" => {
@@ -162,7 +168,7 @@ impl<'a> State<'a> {
         let [x0, mut x1] = self.ends();
         let n = x1.len();
         let session = &mut self.session;
-        let (name, refused) = match random.below(9) {
+        let (name, refused) = match random.below(12) {
             0 => {
                 let (v, value) = (random.below(n), [f64::NAN, f64::INFINITY][random.below(2)]);
                 x1[v][1] = value;
@@ -202,6 +208,26 @@ impl<'a> State<'a> {
                 let done = session.set_mesh(other);
                 let refused = matches!(done, Err(Error::Input(ccd::Error::BodyCount { .. })));
                 ("bad mesh", refused)
+            }
+            7 => {
+                let token = CancelToken::new();
+                token.cancel();
+                session.set_cancel_token(token);
+                let done = session.step(&x0, &x1);
+                let refused = matches!(done, Err(Error::Input(ccd::Error::Cancelled)));
+                session.set_cancel_token(None);
+                ("cancelled", refused)
+            }
+            8 => {
+                let options = session.options().clone();
+                let limited = options.clone().with_max_memory(1 << (10 + random.below(14)));
+                let done = session.set_options(limited);
+                match done.and_then(|()| session.step(&x0, &x1).map(|_| ())) {
+                    Ok(()) | Err(Error::Input(ccd::Error::Memory { .. })) => {}
+                    other => return other,
+                }
+                session.set_options(options)?;
+                ("limits of memory", true)
             }
             _ => match session.gpu() {
                 Some(on) => break_device(self.place, on, random, [&x0, &x1], counts)?,
@@ -270,7 +296,9 @@ fn options(place: &Place, random: &mut Random, before: &Options) -> Options {
     let (threads, leaves) = (1 + random.below(2), random.below(3) == 0);
     let tolerance = [1e-6, 1e-6, 1e-3, 1e-12][random.below(4)];
     let options = before.clone().with_threads(threads).with_leave_contact(leaves);
-    let options = options.with_tolerance(tolerance);
+    let mode = Mode::ALL[random.below(Mode::ALL.len())];
+    let mode = if before.min_distance > 0.0 { Mode::Auto } else { mode };
+    let options = options.with_tolerance(tolerance).with_mode(mode);
     if is_default {
         let plain = Options::default();
         return options
