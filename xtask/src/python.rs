@@ -143,7 +143,8 @@ fn environment(root: &Path, at: &Path, wheel: bool) -> Result<PathBuf, String> {
     let python = make_venv(system, &at.join("venv"))?;
     let how = ["--quiet", "--disable-pip-version-check", "--retries", "1", "--timeout", "20"];
     let mut pip = Command::new(&python);
-    pip.args(["-m", "pip", "install"]).args(how);
+    // Of modules that nothing imports no bytecode is made.
+    pip.args(["-m", "pip", "install", "--no-compile"]).args(how);
     let lists = ["requirements.txt", "requirements-wheel.txt"];
     for list in &lists[..if wheel { 2 } else { 1 }] {
         pip.arg("-r").arg(root.join(FOLDER).join(list));
