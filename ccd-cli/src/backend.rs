@@ -2,6 +2,7 @@
 
 use super::method::{Choices, choice};
 use super::{Failure, output};
+use ccd::Options;
 use ccd::any::{self, Backend, Choice};
 use ccd::gpu::{self, Compilation, Device, DeviceOptions};
 use clap::Args;
@@ -99,9 +100,19 @@ pub struct BackendOptions {
     backend: Backend,
     #[command(flatten)]
     adapter: AdapterOptions,
+    /// Threads on the CPU; 0: one per processor
+    #[arg(short, long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=Options::MAX_THREADS as i64))]
+    #[arg(help_heading = PLACE)]
+    threads: u32,
 }
 
 impl BackendOptions {
+    /// Threads on the CPU; 0: one per processor.
+    pub fn threads(&self) -> usize {
+        self.threads as usize
+    }
+
     /// Chooses. `size`: edges of the mesh, or boxes.
     pub fn choose(&self, size: usize) -> Result<Choice, Failure> {
         if self.backend == Backend::Cpu && self.adapter.is_named() {

@@ -1,7 +1,7 @@
 //! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right
 //! answer, so every run's answer is checked.
 
-use super::backend::{BackendOptions, PLACE};
+use super::backend::BackendOptions;
 use super::method::MethodOptions;
 use super::{Failure, Outcome, output, toi};
 use ccd::any::{BroadPhase, Choice, Error, Session};
@@ -33,10 +33,6 @@ pub struct Bench {
     json: bool,
     #[command(flatten)]
     backend: BackendOptions,
-    /// Threads on the CPU; 0: one per processor
-    #[arg(short, long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
-    #[arg(help_heading = PLACE)]
-    threads: usize,
     // Last: the options behind it would stand below its heading.
     #[command(flatten)]
     method: MethodOptions,
@@ -111,7 +107,8 @@ impl Bench {
     pub fn run(&self) -> Outcome {
         // The choice stands: numbers of two backends must not mix.
         let choice = self.backend.choose(usize::MAX)?.fixed();
-        let place = BroadPhase::new(&choice, self.threads, BroadPhaseMethod::Blocks)?.place();
+        let place =
+            BroadPhase::new(&choice, self.backend.threads(), BroadPhaseMethod::Blocks)?.place();
         let machine = output::processor();
         if !self.json {
             output::line("machine", &machine);
@@ -173,7 +170,7 @@ impl Bench {
         let step = crumpled_sheet(want.n, SEED);
         let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let scene = format!("crumpled sheet, {} vertices", output::thousands(mesh.n_vertices()));
-        let options = self.method.set(Options::default().with_threads(self.threads))?;
+        let options = self.method.set(Options::default().with_threads(self.backend.threads()))?;
         let mut session = Session::new(choice, mesh, options)?;
         let pairs = |n: PerKind| {
             format!(
@@ -214,7 +211,7 @@ impl Bench {
         let want = match PAIRS.iter().find(|known| known.0 == n) {
             Some(known) => known.1,
             // Not known beforehand: another method says.
-            None => ccd::BroadPhase::new(self.threads, BroadPhaseMethod::TREE)?
+            None => ccd::BroadPhase::new(self.backend.threads(), BroadPhaseMethod::TREE)?
                 .self_pairs(&boxes)?
                 .len(),
         };
@@ -222,7 +219,8 @@ impl Bench {
         let (chosen, scheduling) = (self.method.chosen()?, self.method.scheduling()?);
         for method in chosen.map_or(DEFAULT.to_vec(), |method| vec![method]) {
             let what = method.row().name;
-            let mut broad = BroadPhase::scheduled(choice, self.threads, method, scheduling)?;
+            let mut broad =
+                BroadPhase::scheduled(choice, self.backend.threads(), method, scheduling)?;
             if method == BroadPhaseMethod::Blocks && broad.gpu().is_some() {
                 let megabytes = size_of_val(&boxes[..]) as f64 / 1e6;
                 let timed = self.by_clock(&mut broad, |broad| {

@@ -1,6 +1,6 @@
 //! `ccd boxes`: the broad phase alone.
 
-use super::backend::{BackendOptions, PLACE};
+use super::backend::BackendOptions;
 use super::method::MethodOptions;
 use super::{Failure, Outcome, backend, files, in_file, output, progress};
 use ccd::Aabb;
@@ -31,10 +31,6 @@ pub struct Boxes {
     json: bool,
     #[command(flatten)]
     backend: BackendOptions,
-    /// Threads on the CPU; 0: one per processor
-    #[arg(short, long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
-    #[arg(help_heading = PLACE)]
-    threads: usize,
     // Last: the options behind it would stand below its heading.
     #[command(flatten)]
     method: MethodOptions,
@@ -73,7 +69,7 @@ impl Boxes {
         let load = start.elapsed().as_secs_f64() * 1e3;
         let choice = self.backend.choose(a.len() + b.as_ref().map_or(0, Vec::len))?;
         let (method, scheduling) = (self.method.method()?, self.method.scheduling()?);
-        let mut broad = BroadPhase::scheduled(&choice, self.threads, method, scheduling)?;
+        let mut broad = BroadPhase::scheduled(&choice, self.backend.threads(), method, scheduling)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
         let bar = progress::bar(self.runs as usize, "runs");

@@ -102,7 +102,8 @@ impl Cloth {
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= n * n) as u32).collect();
         let bodies = Bodies::new(&body).with_fixed(1, true);
         let choice = backend.choose(mesh.edges().len())?;
-        let options = method.set(Options::default().with_bodies(Some(bodies)))?;
+        let options = Options::default().with_bodies(Some(bodies)).with_threads(backend.threads());
+        let options = method.set(options)?;
         let session = |min_distance| {
             let options = options.clone().with_min_distance(min_distance);
             Session::new(&choice, mesh.clone(), options)

@@ -223,10 +223,6 @@ struct StepOptions {
     fail_on_contact: bool,
     #[command(flatten)]
     backend: backend::BackendOptions,
-    /// Threads on the CPU; 0: one per processor
-    #[arg(short, long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
-    #[arg(help_heading = backend::PLACE)]
-    threads: usize,
     /// Memory that may be held, in bytes, or with K, M or G (2G); more is an error
     ///
     /// Not counted are the mesh and what is read and written.
@@ -314,7 +310,7 @@ impl StepOptions {
             .with_mode(self.mode)
             .with_leave_contact(self.leave_contact)
             .with_bodies(self.bodies.of(&mesh, objects, self.max_memory)?)
-            .with_threads(self.threads)
+            .with_threads(self.backend.threads())
             .with_max_memory(self.max_memory);
         let choice = self.backend.choose(mesh.edges().len())?;
         let session = ccd::any::Session::new(&choice, mesh, self.method.set(options)?);

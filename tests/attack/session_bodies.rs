@@ -131,11 +131,11 @@ impl State<'_> {
         let one = (random.below(2) == 0).then(|| used[random.below(used.len())]);
         let mut all = Vec::new();
         for body in used {
-            let is_left = one.map_or(random.below(4) >= chance, |one| one != body);
+            let stays = one.map_or(random.below(4) >= chance, |one| one != body);
             let is_posed = random.below(4) > 0;
             let of = || (0..self.body_of.len()).filter(|&v| self.body_of[v] == body);
             let is_still = of().any(|v| bodies.is_fixed(v as u32)) && !bodies.fixed_may_move();
-            if is_left || is_still {
+            if stays || is_still {
                 continue;
             }
             if !is_posed {
@@ -184,8 +184,8 @@ fn cast<T: Coordinate>(x: &[[f64; 3]]) -> Vec<[T; 3]> {
 /// None, a shift, a turn about `centre` and a shift, or some affine map.
 fn pose(random: &mut Random, centre: [f64; 3], unit: f64) -> Pose<f64> {
     let kind = random.below(4);
-    let [w, x, y, z] =
-        [1.0; 4].map(|one: f64| if kind == 2 { random.between(-one, one) } else { 0.0 });
+    let mut part = || if kind == 2 { random.between(-1.0, 1.0) } else { 0.0 };
+    let [w, x, y, z] = [part(), part(), part(), part()];
     // Of a quaternion that is mostly real; each column is of length 1 to rounding.
     let (w, n) = (w + 2.0, (w + 2.0) * (w + 2.0) + x * x + y * y + z * z);
     let mut axes = [

@@ -27,7 +27,7 @@ pub fn scene(random: &mut Random) -> Scene {
     };
     let unit = [1.0, 1.0, 1.0, 2f64.powi(-120), 2f64.powi(100), 2f64.powi(20), 1e-3 / 3.0];
     let unit = unit[random.below(unit.len())];
-    // Where boxes of all overlap or ties are many, pairs of few.
+    // Small where all boxes overlap, or ties are many.
     let (scale, offset, grid) = match random.below(12) {
         0 | 1 => ([1.0; 3], [1e3 / 3.0, -77.7, 1e4 / 7.0], 0.0),
         2 if n <= 6 => ([1.0; 3], [1e7 / 3.0, 1e6, 1e7 / 7.0], 0.0),
