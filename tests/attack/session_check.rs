@@ -148,9 +148,9 @@ impl State<'_> {
     }
 
     /// Whether a contact that another report has at another time, or not at all, may be one that
-    /// was left at the start, which takes certainty that a device may have or lack: until the later
-    /// time features are, at moments that are looked at, no nearer than at the start, or further
-    /// apart than the minimum distance.
+    /// was left at the start, which takes certainty that a device may have or lack: features are
+    /// near at the start, and until the later time, at moments that are looked at, no nearer than
+    /// there, or further apart than the minimum distance.
     fn is_left<T: ccd::Coordinate>(
         &self,
         contact: &Contact,
@@ -182,9 +182,13 @@ impl State<'_> {
         // Of a device without `f64`.
         let all = ends.iter().flat_map(|x| x.iter().flatten()).map(|c| c.to_f64().abs());
         let slack = 1e-6 * all.fold(0.0, f64::max);
-        let needed = options.min_distance.min(distance(from).least) - slack;
+        let start = distance(from).least;
+        let needed = options.min_distance.min(start) - slack;
         let until = toi.max(contact.toi);
-        (0..=64).all(|k| distance(from + (until - from) * k as f64 / 64.0).greatest >= needed)
+        let is_near = start <= options.min_distance + slack;
+        is_near
+            && (0..=64)
+                .all(|k| distance(from + (until - from) * k as f64 / 64.0).greatest >= needed)
     }
 
     /// Regions that are certainly free of contacts omit candidates.
