@@ -110,10 +110,12 @@ struct Segment {
     start: usize,
 }
 
-/// Pairs of the first chunk. Each has twice as many as the one before, up to 8 MiB, or fewer if the
-/// limit of memory is near.
+/// Pairs of the first chunk. Each has twice as many as the one before, and 16 MiB from [`LARGE`] on:
+/// the system gives memory as it is touched, and large pages only to large chunks. With a limit of
+/// memory, which counts all of a chunk, each has twice as many, or fewer if the limit is near.
 const FIRST: usize = 1 << 12;
-const MOST: usize = 1 << 20;
+const LARGE: usize = 1 << 17;
+const MOST: usize = 1 << 21;
 const LEAST: usize = 1 << 6;
 
 impl Lister {
@@ -146,7 +148,9 @@ impl Lister {
         let next = match self.spare.pop() {
             Some(next) => next,
             None => {
-                let wanted = (2 * self.pairs.capacity()).clamp(FIRST, MOST);
+                let before = self.pairs.capacity();
+                let wanted = if before < LARGE || stop.is_limited() { 2 * before } else { MOST };
+                let wanted = wanted.clamp(FIRST, MOST);
                 let mut next = Vec::new();
                 if !stop.allocate(what, &mut next, wanted, LEAST) {
                     return false;
