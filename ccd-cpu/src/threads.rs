@@ -9,7 +9,8 @@ use rayon::prelude::*;
 use std::marker::PhantomData;
 use std::mem::MaybeUninit;
 use std::ops::Range;
-use std::sync::Arc;
+use std::process;
+use std::sync::{Arc, OnceLock};
 
 /// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
 /// slow each other down.
@@ -29,14 +30,28 @@ pub struct Threads {
     pub stop: Arc<Stop>,
 }
 
+/// Whether rayon's pool may be that of the process which this one was forked from: its threads are
+/// not here, and would be waited for without end.
+fn is_orphaned() -> bool {
+    static FIRST: OnceLock<u32> = OnceLock::new();
+    cfg!(unix)
+        && *FIRST.get_or_init(process::id) != process::id()
+        && rayon::current_thread_index().is_none()
+}
+
 impl Threads {
     /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the
-    /// calling thread, with no pool at all, and so does 0 where threads cannot be.
+    /// calling thread, with no pool at all, and so does 0 where threads cannot be. In a process that
+    /// was forked from one that has used rayon's pool, 0 means a new one.
     pub fn new(count: usize) -> Result<Self, Error> {
         let threads = |pool, count| Ok(Self { pool, count, stop: Arc::default() });
         match count {
             0 if ALONE => threads(None, 1),
             2.. if ALONE => Err(Error::Threads { count, limit: 1 }),
+            0 if is_orphaned() => {
+                let all = std::thread::available_parallelism().map_or(1, usize::from);
+                Self::new(all.min(Options::MAX_THREADS))
+            }
             0 => threads(None, rayon::current_num_threads()),
             1 => threads(None, 1),
             _ => {

@@ -111,6 +111,18 @@ pub fn flat_ids(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
     if array.len() == 0 { Ok(Vec::new()) } else { integers(name, &array) }
 }
 
+/// Truths in one row, one for each `of_what`.
+pub fn flags(name: &str, given: &Bound<'_, PyAny>, of_what: &str) -> PyResult<Vec<bool>> {
+    let array = as_array(name, given)?;
+    if array.len() == 0 {
+        return Ok(Vec::new());
+    }
+    let array = array.cast_into::<PyArray1<bool>>().map_err(|_| {
+        refused(format!("{name} is not an array of bool with an entry for each {of_what}"))
+    })?;
+    Ok(array.try_readonly().map_err(refused)?.as_array().to_vec())
+}
+
 /// Pairs as an array of shape (n, 2), without a copy.
 pub fn pair_array<'py>(py: Python<'py>, flat: Vec<u32>) -> PyResult<Bound<'py, PyArray2<u32>>> {
     rows::<2>(py, flat)
@@ -135,6 +147,11 @@ pub fn as_array<'py>(
     given: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
     if let Ok(array) = given.cast::<PyUntypedArray>() {
+        if !array.is_exact_instance_of::<PyUntypedArray>() && array.hasattr("mask")? {
+            return Err(refused(format!(
+                "{name} is a masked array, whose masked entries would count"
+            )));
+        }
         return Ok(array.clone());
     }
     let numpy = given.py().import("numpy")?;

@@ -1,10 +1,11 @@
 //! Bodies: which vertices belong together, and which pairs of them are looked at.
 
-use crate::arrays::{flat_ids, ids, kind_of};
+use crate::arrays::{flags, flat_ids, ids, kind_of};
 use crate::errors::refused;
 use crate::mesh::Mesh;
 use ccd::{Groups, Kind};
 use numpy::PyArray1;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyType};
 
@@ -44,13 +45,6 @@ pub struct Bodies {
     pub inner: ccd::Bodies,
 }
 
-/// One value for all, or one for each body.
-#[derive(FromPyObject)]
-enum Flags {
-    All(bool),
-    Each(Vec<bool>),
-}
-
 #[pymethods]
 impl Bodies {
     #[new]
@@ -69,9 +63,7 @@ impl Bodies {
     /// which is fixed; all others are body 0. Obstacles are tested against what moves alone.
     #[staticmethod]
     fn of_obstacles(is_static: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let is_static = is_static.extract::<Vec<bool>>().map_err(|_| {
-            refused("is_static is not an array of bool with an entry for each vertex")
-        })?;
+        let is_static = flags("is_static", is_static, "vertex")?;
         let of_vertex: Vec<u32> = is_static.into_iter().map(u32::from).collect();
         Ok(Self { inner: ccd::Bodies::new(&of_vertex).with_fixed_mask(&[false, true]) })
     }
@@ -127,18 +119,18 @@ impl Bodies {
     }
 
     /// The body of each vertex and all rules as text that `from_json` reads.
-    fn to_json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.inner).map_err(refused)
+    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
+        py.detach(|| serde_json::to_string(&self.inner)).map_err(refused)
     }
 
     /// Bodies from the text of `to_json`.
     #[staticmethod]
-    fn from_json(text: &str) -> PyResult<Self> {
-        Ok(Self { inner: serde_json::from_str(text).map_err(refused)? })
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
+        Ok(Self { inner: py.detach(|| serde_json::from_str(text)).map_err(refused)? })
     }
 
     fn __reduce__<'py>(of: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
-        Ok((PyType::new::<Self>(of.py()).getattr("from_json")?, (of.get().to_json()?,)))
+        Ok((PyType::new::<Self>(of.py()).getattr("from_json")?, (of.get().to_json(of.py())?,)))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
@@ -188,25 +180,28 @@ fn with_rules(
     all.dedup();
     let of_bodies = |n: usize| all.iter().copied().take_while(move |&body| (body as usize) < n);
     let (mut memberships, mut filters) = (Vec::new(), Vec::new());
+    let py = rules.py();
     for name in rules.keys() {
         let name: String = name.extract()?;
         if !RULES.contains(&&*name) {
-            return Err(refused(format!("bodies have no rule {name:?}; see help(Bodies)")));
+            let why = format!("Bodies() got an unexpected keyword argument '{name}'");
+            return Err(PyTypeError::new_err(why));
         }
     }
     for name in RULES {
         let Some(given) = rules.get_item(name)?.filter(|given| !given.is_none()) else { continue };
         match name {
-            "fixed" => bodies = bodies.with_fixed_mask(&flags(name, &given)?),
+            "fixed" => bodies = bodies.with_fixed_mask(&flags(name, &given, "body")?),
             "sleeping" => {
-                let sleeping = flags(name, &given)?;
+                let sleeping = flags(name, &given, "body")?;
                 for body in of_bodies(sleeping.len()) {
                     bodies = bodies.with_sleeping(body, sleeping[body as usize]);
                 }
             }
-            "self_contact" => match all_or_each(name, &given)? {
-                Flags::All(self_contact) => bodies = bodies.with_self_contacts(self_contact),
-                Flags::Each(each) => {
+            "self_contact" => match given.extract::<bool>() {
+                Ok(self_contact) => bodies = bodies.with_self_contacts(self_contact),
+                Err(_) => {
+                    let each = flags(name, &given, "body")?;
                     for body in of_bodies(each.len()) {
                         bodies = bodies.with_self_contact(body, each[body as usize]);
                     }
@@ -218,11 +213,11 @@ fn with_rules(
             "excluded_bodies" => bodies = bodies.with_excluded_bodies(&ids::<2>(name, &given)?),
             "excluded_vertex_face" => {
                 let pairs = ids::<2>(name, &given)?;
-                bodies = bodies.with_excluded_features(Kind::VertexFace, &pairs);
+                bodies = py.detach(|| bodies.with_excluded_features(Kind::VertexFace, &pairs));
             }
             "excluded_edge_edge" => {
                 let pairs = ids::<2>(name, &given)?;
-                bodies = bodies.with_excluded_features(Kind::EdgeEdge, &pairs);
+                bodies = py.detach(|| bodies.with_excluded_features(Kind::EdgeEdge, &pairs));
             }
             "fixed_motion" => bodies = bodies.with_fixed_motion(given.extract()?),
             _ => {}
@@ -234,21 +229,6 @@ fn with_rules(
         bodies = bodies.with_groups(body, groups);
     }
     Ok(bodies)
-}
-
-/// What an argument with this name has to be.
-const EACH_BODY: &str = "an array of bool with an entry for each body";
-
-/// One value for each body.
-pub fn flags(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<bool>> {
-    let flags = given.extract::<Vec<bool>>();
-    flags.map_err(|_| refused(format!("{name} is not {EACH_BODY}")))
-}
-
-/// One value for all bodies, or one for each.
-fn all_or_each(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Flags> {
-    let flags = given.extract::<Flags>();
-    flags.map_err(|_| refused(format!("{name} is not bool, or {EACH_BODY}")))
 }
 
 /// What a caller gives as bodies: an object with rules, or the body of each vertex.

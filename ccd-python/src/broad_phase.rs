@@ -4,7 +4,7 @@ use crate::arrays::{Floats, numbers, pair_array};
 use crate::device;
 use crate::errors::{failed, refused};
 use crate::options;
-use crate::process::{Guarded, threads_here};
+use crate::process::Guarded;
 use ccd::Aabb;
 use ccd::any;
 use ccd::method::{BroadPhaseMethod, Scheduling, TreeStatistics};
@@ -60,7 +60,6 @@ impl BroadPhase {
         options::check_names("BroadPhase", &[], &given)?;
         let (method, scheduling) =
             options::method(BroadPhaseMethod::default(), Scheduling::default(), &given)?;
-        let threads = threads_here(threads);
         let on = match device {
             None | Some("cpu") => {
                 let inner = ccd::BroadPhase::scheduled(threads, method, scheduling);

@@ -10,7 +10,7 @@ use crate::process::Guarded;
 use crate::report::Columns;
 use ccd::any;
 use ccd::{BodyMotion, Coordinate, Kind, Options};
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use std::sync::{Arc, Mutex};
@@ -176,7 +176,12 @@ impl Shared {
     }
 
     /// Has the next calls ask a callback which pairs they want; none has them want all.
-    pub fn set_filter(&self, filter: Option<Py<PyAny>>) -> PyResult<()> {
+    pub fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
+        if filter.as_ref().is_some_and(|filter| !filter.bind(py).is_callable()) {
+            return Err(PyTypeError::new_err(
+                "filter must be a function of kind and pairs, or None",
+            ));
+        }
         let before = std::mem::replace(&mut *lock(&self.filter)?, filter);
         // Python runs its finalizer now, which may call the session: nothing is locked.
         drop(before);

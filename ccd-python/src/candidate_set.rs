@@ -1,7 +1,7 @@
 //! Candidates that serve many steps.
 
 use crate::arrays::{Floats, numbers, pair_array};
-use crate::errors::input;
+use crate::errors::failed;
 use crate::process::Guarded;
 use ccd::Kind;
 use numpy::PyArray2;
@@ -72,6 +72,8 @@ impl CandidateSet {
     /// ------
     /// ValueError
     ///     If a vertex is beyond what the set holds for, and what `Session.step` refuses.
+    /// RuntimeError
+    ///     If the token that the session had when the set was made is cancelled.
     fn earliest_toi(
         &self,
         py: Python<'_>,
@@ -82,11 +84,13 @@ impl CandidateSet {
         match &positions {
             Floats::F32([x0, x1]) => {
                 let [x0, x1] = [numbers(x0)?, numbers(x1)?].map(|x| x.as_chunks().0);
-                self.inner.with(py, |set| set.earliest_toi(x0, x1).map_err(input))
+                self.inner
+                    .with(py, |set| set.earliest_toi(x0, x1).map_err(|why| failed(why.into())))
             }
             Floats::F64([x0, x1]) => {
                 let [x0, x1] = [numbers(x0)?, numbers(x1)?].map(|x| x.as_chunks().0);
-                self.inner.with(py, |set| set.earliest_toi(x0, x1).map_err(input))
+                self.inner
+                    .with(py, |set| set.earliest_toi(x0, x1).map_err(|why| failed(why.into())))
             }
         }
     }

@@ -8,7 +8,7 @@ use ccd::{EdgeEdge, Error, State, VertexEdge, VertexFace, VertexVertex};
 use pyo3::prelude::*;
 
 queries! {
-    window: (f64, f64) = (0.0, 1.0), "(x0, x1, window=(0.0, 1.0))", window_of_times, numbered;
+    window: [f64; 2] = [0.0, 1.0], "(x0, x1, window=(0.0, 1.0))", window_of_times, numbered;
 
     /// Decides vertex-face queries exactly, of the coordinates as they are: a vertex `v` and a face
     /// `f0 f1 f2` that move on straight lines.
@@ -18,7 +18,7 @@ queries! {
     /// x0, x1 : (..., 4, 3) arrays
     ///     Positions of `v f0 f1 f2` at the start and at the end of the step; any number of axes
     ///     before, over queries.
-    /// window : (float, float)
+    /// window : two floats
     ///     The times of the step that matter, by default all of it; closed.
     ///
     /// Returns
@@ -48,7 +48,7 @@ queries! {
 }
 
 /// A window of time, checked.
-fn window_of_times((from, until): (f64, f64)) -> PyResult<[f64; 2]> {
+fn window_of_times([from, until]: [f64; 2]) -> PyResult<[f64; 2]> {
     if 0.0 <= from && from <= until && until <= 1.0 {
         return Ok([from, until]);
     }

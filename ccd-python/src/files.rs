@@ -74,12 +74,12 @@ pub fn read_mesh(
 pub fn read_positions(
     py: Python<'_>,
     path: PathBuf,
-    frames: Option<(usize, usize)>,
+    frames: Option<[usize; 2]>,
 ) -> PyResult<Bound<'_, PyArray3<f64>>> {
     let (all, shape) = py.detach(|| {
         let mut cache = PointCache::open(&path).map_err(refused)?;
         let n = cache.n_frames();
-        let (from, until) = frames.unwrap_or((0, n));
+        let [from, until] = frames.unwrap_or([0, n]);
         if from > until || until > n {
             return Err(refused(format!("frames from {from} to {until} of {n}")));
         }

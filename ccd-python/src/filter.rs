@@ -34,8 +34,11 @@ impl Wanted {
                     "the filter was asked of {n} pairs and returned {found} answers"
                 )));
             }
-            wanted.extend(pairs.iter().zip(mask).filter(|(_, want)| *want).map(|(pair, _)| *pair));
-            wanted.sort_unstable();
+            py.detach(|| {
+                let all = pairs.iter().zip(mask);
+                wanted.extend(all.filter(|(_, want)| *want).map(|(pair, _)| *pair));
+                wanted.sort_unstable();
+            });
         }
         Ok(Self(wanted))
     }

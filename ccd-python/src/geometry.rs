@@ -3,13 +3,15 @@
 use crate::arrays::{Floats, kind_of, numbers};
 use crate::errors::{input, refused};
 use crate::hit::state_number;
+use crate::parts::result;
 use ccd::{Contact, Coordinate, Kind, Mesh, State};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-/// How features meet at the times of impact: arrays with an entry for each contact.
-#[pyclass(frozen, get_all, module = "meshccd")]
-pub struct Geometry {
+result! {
+    /// How features meet at the times of impact: arrays with an entry for each contact.
+    Geometry:
     /// Halfway between the nearest points, (n, 3) float64.
     point: Py<PyArray2<f64>>,
     /// Unit vector from `b` towards `a`: pushing `a` along it parts the two, (n, 3) float64.
@@ -23,6 +25,23 @@ pub struct Geometry {
     /// Between the nearest points, (n,) float64.
     distance: Py<PyArray1<f64>>,
 }
+
+#[pymethods]
+impl Geometry {
+    #[new]
+    #[pyo3(signature = (**parts))]
+    fn of_names(parts: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::of_parts(parts)
+    }
+
+    /// All parts by their names.
+    fn __getnewargs_ex__<'py>(of: &Bound<'py, Self>) -> PyResult<((), Bound<'py, PyDict>)> {
+        Self::parts(of)
+    }
+}
+
+/// Contacts between two looks at what interrupts: some tenths of a second.
+const CHUNK: usize = 1 << 14;
 
 /// Columns that say which contacts.
 pub struct Contacts<'py> {
@@ -87,19 +106,22 @@ impl<'py> Contacts<'py> {
                 return Err(refused(format!("the mesh has no pair {a}, {b} of kind {number}")));
             }
         }
-        let [point, normal, weights, on_a, on_b, distance] = py.detach(|| {
-            let mut columns: [Vec<f64>; 6] = Default::default();
-            let all = kind.iter().zip(a).zip(b).zip(toi).zip(state);
-            for ((((&kind, &a), &b), &toi), &state) in all {
-                let state = if state == undecided { State::Undecided } else { State::Hit };
-                let contact = Contact::new(Kind::ALL[kind as usize], state, a, b, toi);
-                let at = contact.geometry(mesh, x0, x1);
-                let values: [&[f64]; 6] =
-                    [&at.point, &at.normal, &at.weights, &at.on_a, &at.on_b, &[at.distance]];
-                columns.iter_mut().zip(values).for_each(|(column, v)| column.extend(v));
-            }
-            columns
-        });
+        let mut columns: [Vec<f64>; 6] = Default::default();
+        for first in (0..toi.len()).step_by(CHUNK) {
+            py.check_signals()?;
+            py.detach(|| {
+                for i in first..toi.len().min(first + CHUNK) {
+                    let is_undecided = state[i] == undecided;
+                    let state = if is_undecided { State::Undecided } else { State::Hit };
+                    let kind = Kind::ALL[kind[i] as usize];
+                    let at = Contact::new(kind, state, a[i], b[i], toi[i]).geometry(mesh, x0, x1);
+                    let values: [&[f64]; 6] =
+                        [&at.point, &at.normal, &at.weights, &at.on_a, &at.on_b, &[at.distance]];
+                    columns.iter_mut().zip(values).for_each(|(column, v)| column.extend(v));
+                }
+            });
+        }
+        let [point, normal, weights, on_a, on_b, distance] = columns;
         let n = toi.len();
         let rows = |flat: Vec<f64>, width: usize| -> PyResult<Py<PyArray2<f64>>> {
             Ok(PyArray1::from_vec(py, flat).reshape([n, width])?.unbind())

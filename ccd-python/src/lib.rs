@@ -30,6 +30,7 @@ mod geometry;
 mod hit;
 mod mesh;
 mod options;
+mod parts;
 mod process;
 mod queries;
 mod report;
@@ -78,11 +79,4 @@ mod _native {
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
-
-    /// Once, by the process that imports the module.
-    #[pymodule_init]
-    fn init(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
-        crate::process::loaded();
-        Ok(())
-    }
 }

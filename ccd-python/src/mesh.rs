@@ -2,7 +2,6 @@
 
 use crate::arrays::{Floats, ids, kind_of, pair_array, rows};
 use crate::errors::{input, of_one, refused};
-use crate::process::threads_here;
 use ccd::{Exclusions, Kind, Pair};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -118,8 +117,7 @@ impl Mesh {
         let py = x.py();
         let positions = Floats::new([("x", x)], &[3])?.in_rows(["x"], &[3])?;
         let near = positions.points(py).and_then(|[x]| {
-            let (mesh, threads) = (&self.inner, threads_here(0));
-            py.detach(|| ccd::near_at_rest_on(threads, mesh, &x, distance)).map_err(input)
+            py.detach(|| ccd::near_at_rest(&self.inner, &x, distance)).map_err(input)
         });
         pair_lists(py, near.map_err(|why| of_one(py, why))?)
     }

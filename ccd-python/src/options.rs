@@ -1,6 +1,7 @@
 //! Options of a session: Python's arguments by name, and back.
 
-use crate::bodies::{Bodies, bodies, flags};
+use crate::arrays::flags;
+use crate::bodies::{Bodies, bodies};
 use crate::errors::refused;
 use ccd::Mode;
 use ccd::method::{
@@ -226,7 +227,7 @@ pub fn changed(
             return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
         };
         if let Some(fixed) = fixed {
-            all = all.with_fixed_mask(&flags("fixed", &fixed)?);
+            all = all.with_fixed_mask(&flags("fixed", &fixed, "body")?);
         }
         if let Some(self_contact) = self_contact {
             all = all.with_self_contacts(self_contact.extract()?);

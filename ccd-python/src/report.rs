@@ -5,39 +5,19 @@ use crate::errors::refused;
 use crate::geometry::{Contacts, Geometry};
 use crate::hit::state_number;
 use crate::mesh::Mesh;
+use crate::parts::result;
 use ccd::method::{FrontCounts, TriangleCounts};
 use ccd::{Options, PerKind};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
-/// A class of these parts; it is made of a dict of them.
-macro_rules! report {
-    ($(#[$doc:meta])* parts: $($(#[$of_part:meta])* $name:ident: $of:ty,)*) => {
-        $(#[$doc])*
-        #[pyclass(frozen, get_all, module = "meshccd")]
-        pub struct Report {
-            $($(#[$of_part])* $name: $of,)*
-        }
-
-        /// Names of the parts.
-        const PARTS: &[&str] = &[$(stringify!($name)),*];
-
-        fn of_parts(parts: &Bound<'_, PyDict>) -> PyResult<Report> {
-            Ok(Report {
-                $($name: part(parts, stringify!($name))?.extract::<$of>().map_err(PyErr::from)?,)*
-            })
-        }
-    };
-}
-
-report! {
+result! {
     /// What a step found: arrays with an entry for each contact, sorted by kind, then `a`, then
     /// `b`; `len(report)` is their number.
     ///
     /// Sessions make reports, and pickle makes copies.
-    parts:
+    Report:
     /// Kind of each contact, uint8: `Kind.VERTEX_FACE`, `Kind.EDGE_EDGE`, and of particles and rods
     /// `Kind.VERTEX_EDGE`, `Kind.VERTEX_VERTEX`.
     kind: Py<PyArray1<u8>>,
@@ -78,24 +58,17 @@ report! {
     mesh: Py<Mesh>,
 }
 
-fn part<'py>(parts: &Bound<'py, PyDict>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-    let missing = || PyTypeError::new_err(format!("Report() lacks {name}; sessions make reports"));
-    parts.get_item(name)?.ok_or_else(missing)
-}
-
 #[pymethods]
 impl Report {
     #[new]
     #[pyo3(signature = (**parts))]
-    fn new(py: Python<'_>, parts: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        of_parts(parts.unwrap_or(&PyDict::new(py)))
+    fn new(parts: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::of_parts(parts)
     }
 
     /// All parts by their names.
     fn __getnewargs_ex__<'py>(of: &Bound<'py, Self>) -> PyResult<((), Bound<'py, PyDict>)> {
-        let parts = PyDict::new(of.py());
-        PARTS.iter().try_for_each(|name| parts.set_item(name, of.getattr(*name)?))?;
-        Ok(((), parts))
+        Self::parts(of)
     }
 
     /// Numbers of contacts of each kind in the order of `Kind`.

@@ -12,7 +12,6 @@ use crate::errors::{failed, of_one};
 use crate::hit::Hit;
 use crate::mesh::Mesh;
 use crate::options::{self, CancelToken, Options};
-use crate::process::threads_here;
 use crate::report::{Columns, Report};
 use ccd::any;
 use numpy::{PyArray2, PyUntypedArray};
@@ -74,7 +73,7 @@ impl Session {
             }
             None => None,
         };
-        let options = here(options::changed("Session", options::inner(options), &given)?);
+        let options = options::changed("Session", options::inner(options), &given)?;
         let topology = &mesh.get().inner;
         py.detach(|| options.check(topology)).map_err(|why| failed(why.into()))?;
         let choice = device::choose(py, device.as_deref(), topology.edges().len())?;
@@ -147,7 +146,7 @@ impl Session {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<Hit>> {
-        Ok(self.shared.with(py, [x0, x1], FirstContact)?.map(Hit::from))
+        Ok(self.shared.with(py, [x0, x1], FirstContact)?.map(|hit| Hit::new(py, hit)))
     }
 
     /// The part of the step that is free of contact, in [0, 1]: the earliest time of impact, or 1
@@ -208,7 +207,7 @@ impl Session {
     ) -> PyResult<Option<Hit>> {
         let find: fn(&mut any::Session, &[ccd::BodyMotion]) -> _ =
             |session, motions| session.first_contact_of_bodies(motions);
-        Ok(self.shared.with_bodies(py, &motions, find)?.0.map(Hit::from))
+        Ok(self.shared.with_bodies(py, &motions, find)?.0.map(|hit| Hit::new(py, hit)))
     }
 
     /// All candidates of the step: pairs of features without a common vertex whose swept boxes
@@ -312,7 +311,7 @@ impl Session {
         let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
         self.shared.change_options(py, |before| {
             let base = options.map_or(before, |options| options.get().inner.clone());
-            Ok(here(options::changed("set_options", base, &given)?))
+            options::changed("set_options", base, &given)
         })
     }
 
@@ -335,8 +334,8 @@ impl Session {
     /// `Kind` that has some, with an array of shape (n, 2), it returns n of bool. None: all count.
     /// Candidates are listed for it, which costs time. On the CPU; in steps of bodies all count.
     #[pyo3(signature = (filter=None))]
-    fn set_filter(&self, filter: Option<Py<PyAny>>) -> PyResult<()> {
-        self.shared.set_filter(filter)
+    fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
+        self.shared.set_filter(py, filter)
     }
 
     /// The mesh of the next step.
@@ -368,18 +367,12 @@ impl Session {
         self.shared.traverse(&visit)
     }
 
-    fn __clear__(&self) {
-        let _ = self.shared.set_filter(None);
+    fn __clear__(&self, py: Python<'_>) {
+        let _ = self.shared.set_filter(py, None);
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let (place, n) = (self.place(py)?, self.mesh(py)?.get().inner.n_vertices());
         Ok(format!("<Session of {n} vertices on {place}>"))
     }
-}
-
-/// Options with a number of threads that works in this process.
-fn here(options: ccd::Options) -> ccd::Options {
-    let threads = threads_here(options.threads);
-    options.with_threads(threads)
 }

@@ -114,7 +114,7 @@ impl Pairs {
             _ => EdgeEdgeType::of(at) as u8,
         };
         let types = match types {
-            None => x.as_chunks::<4>().0.iter().map(nearest).collect(),
+            None => py.detach(|| x.as_chunks::<4>().0.iter().map(nearest).collect()),
             Some(given) => given_types(kind, given, &shape)?,
         };
         Ok(Self { kind, x, types, shape })

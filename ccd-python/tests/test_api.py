@@ -192,9 +192,8 @@ NAN[3, 1] = np.nan
         (lambda: Session(Mesh(FACES), tolerance=0.0), "tolerance"),
         (lambda: Session(Mesh(FACES)).step(X0, X1, (0.5, 0.25)), "0.5"),
         (lambda: Session(Mesh(FACES)).step_bodies([]), "positions"),
-        (lambda: Bodies([0, 0], fixd=[True]), "fixd"),
         (lambda: Bodies([0, 0, 1, 1], fixed=[0]), "fixed is not an array of bool"),
-        (lambda: Bodies([0, 0, 1, 1], self_contact=0), "self_contact is not bool, or an array"),
+        (lambda: Bodies([0, 0, 1, 1], self_contact=0), "self_contact is not an array of bool"),
         (lambda: Bodies.of_obstacles([0, 1]), "is_static is not an array of bool"),
         (lambda: distance(4, X0[:4]), "kind is 4"),
         (lambda: distance(Kind.VERTEX_EDGE, X0[:4]), r"it must be \(\.\., 3, 3\)"),
@@ -204,6 +203,7 @@ NAN[3, 1] = np.nan
         (lambda: Session(Mesh(FACES)).step(X0, NAN), "vertex 3 of x1 has y = NaN"),
         (lambda: Session(Mesh(FACES)).step(X0.astype(complex), X1), "complex128"),
         (lambda: Session(Mesh(FACES)).step("x", X1), "shape"),
+        (lambda: Session(Mesh(FACES)).step(np.ma.masked_less(X0, 0), X1), "x0 is a masked array"),
         (lambda: BroadPhase(method="magic"), "brute-force"),
         (lambda: BroadPhase(device="auto"), "device"),
         (lambda: BroadPhase().self_pairs([[[1, 0, 0], [0, 1, 1]]]), "box 0"),
@@ -215,6 +215,13 @@ NAN[3, 1] = np.nan
 def test_refusals_say_what_and_where(call, words):
     with pytest.raises(ValueError, match=words):
         call()
+
+
+def test_what_is_no_value_is_a_type_error():
+    with pytest.raises(TypeError, match=r"Bodies\(\) got an unexpected .* 'fixd'"):
+        Bodies([0, 0], fixd=[True])
+    with pytest.raises(TypeError, match="filter must be a function"):
+        Session(Mesh(FACES)).set_filter(3)
 
 
 def test_a_session_survives_bad_input():

@@ -120,6 +120,7 @@ def test_contacts_come_nearer_or_separate(dy, want):
 def test_calls_end_when_they_are_cancelled():
     session, token = Session(Mesh(FACES)), CancelToken()
     session.set_cancel_token(token)
+    candidates = session.candidate_set(X0, X1)
     assert len(session.step(X0, X1)) == 1 and not token.is_cancelled
 
     def cancel(kind, pairs):
@@ -133,6 +134,8 @@ def test_calls_end_when_they_are_cancelled():
     session.set_filter()
     with pytest.raises(RuntimeError, match="cancelled"):
         session.earliest_toi(X0, X1)
+    with pytest.raises(RuntimeError, match="cancelled"):
+        candidates.earliest_toi(X0, X1)
     session.set_cancel_token()
     assert len(session.step(X0, X1)) == 1
 

@@ -30,12 +30,17 @@ def same(found, want):
 def test_the_first_contact_has_a_point_and_a_normal():
     session = Session(Mesh(FACES), bodies=BODIES)
     hit = session.first_contact(X0, X1)
-    assert (hit.kind, hit.state, hit.features) == (Kind.VERTEX_FACE, State.HIT, [4, 0])
-    assert hit.bodies == [1, 0] and hit.vertices == [4, 0, 1, 2]
+    assert (hit.kind, hit.state, hit.features) == (Kind.VERTEX_FACE, State.HIT, (4, 0))
+    assert hit.bodies == (1, 0) and hit.vertices.tolist() == [4, 0, 1, 2]
     assert np.allclose(hit.point, [0.3, 0.0, 0.3], atol=1e-5) and 0.5 - 1e-6 < hit.toi <= 0.5
     assert np.allclose(hit.normal_towards(1), [0, 1, 0]) and hit.weights[0] == 1
     assert np.allclose(hit.normal_towards(0), [0, -1, 0]) and hit.distance < 1e-5
     assert session.first_contact(X0, X0) is None and "VertexFace 4 0" in repr(hit)
+    assert np.allclose(hit.point + 2 * hit.normal, [0.3, 2, 0.3], atol=1e-5)
+    copies = [pickle.loads(pickle.dumps(part)) for part in (hit, session.step(X0, X1))]
+    copies.append(pickle.loads(pickle.dumps(copies[1].geometry(X0, X1))))
+    assert repr(copies[0]) == repr(hit) and np.array_equal(copies[0].normal, hit.normal)
+    assert np.array_equal(copies[2].normal[0], hit.normal)
 
 
 def test_geometry_is_that_of_every_contact():
@@ -136,7 +141,7 @@ def test_bodies_move_while_others_stand():
     want = Session(mesh, bodies=BODIES).step(X0, X1)
     assert session.earliest_toi_of_bodies(motion) == want.earliest_toi
     assert same(session.step_bodies(motion), want)
-    assert session.first_contact_of_bodies(motion).features == [4, 0]
+    assert session.first_contact_of_bodies(motion).features == (4, 0)
     assert len(session.step_bodies([])) == 0
     with pytest.raises(ValueError, match="x1|3"):
         session.step_bodies([(1, X0[4:], X1)])
@@ -345,7 +350,11 @@ def test_a_fork_is_told_apart():
     assert all("before a fork" in why for why in refused) and "broad phase" in refused[2]
 
 
-def on_a_gpu(queue, mesh, x0, x1):
+def on_a_gpu(queue, inherited, mesh, x0, x1):
+    with pytest.raises(RuntimeError, match="before a fork"):
+        inherited[0].step(x0, x1)
+    # The last reference here: it ends without its device.
+    inherited.clear()
     queue.put(len(Session(mesh, device="gpu").step(x0, x1)))
 
 
@@ -355,12 +364,13 @@ def test_a_fork_opens_a_gpu_of_its_own():
     # So many vertices that several threads copy them.
     mesh, _, x0, x1 = pieces(1500)
     try:
-        want = len(Session(mesh, device="gpu").step(x0, x1))
+        inherited = [Session(mesh, device="gpu")]
+        want = len(inherited[0].step(x0, x1))
     except RuntimeError as why:
         pytest.skip(str(why))
     context = multiprocessing.get_context("fork")
     queue = context.Queue()
-    child = context.Process(target=on_a_gpu, args=(queue, mesh, x0, x1))
+    child = context.Process(target=on_a_gpu, args=(queue, inherited, mesh, x0, x1))
     child.start()
     try:
         assert queue.get(timeout=60) == want > 0

@@ -69,7 +69,7 @@ export class Mesh {
     if (!Number.isInteger(nVertices) || nVertices < 0 || nVertices > 0x7fffffff) {
       throw new Error(`nVertices is ${String(nVertices)}; it must be a whole number from 0 on`);
     }
-    if (faces === undefined) {
+    if (faces == null) {
       throw new Error("faces are missing: new Mesh(nVertices, edges, faces); [] if there are none");
     }
     this.#raw = new RawMesh(nVertices, ids(edges, "edges", 2), ids(faces, "faces", 3));
@@ -215,7 +215,11 @@ export class Session {
       this.#gpu = null;
       [this.backend, this.adapter] = ["cpu", null];
       this.whyCpu = String(why?.message ?? why);
-      gpu.free();
+      try {
+        gpu.free();
+      } catch {
+        // A module that ended while it read positions; the CPU has the answer.
+      }
       return found;
     } finally {
       this.#busy = false;
@@ -298,8 +302,9 @@ export class Session {
   /** A change of both sessions, that of the GPU if there is one. */
   #both(change) {
     this.#rest();
-    change(this.raw);
+    // What one refuses the other does not do either: the GPU's may refuse more.
     this.#gpu?.change(change);
+    change(this.raw);
   }
 
   /** Whether positions are taken as `f64`; refuses what are none. */

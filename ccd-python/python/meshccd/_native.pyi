@@ -51,6 +51,7 @@ class _OfDLPack(Protocol):
 _Array: TypeAlias = ArrayLike | _OfDLPack
 _Ids: TypeAlias = NDArray[np.uint32]
 _Flags: TypeAlias = Sequence[bool] | NDArray[np.bool_]
+_Mode: TypeAlias = Literal["auto", "conservative", "exact"]
 _PerKind: TypeAlias = tuple[int, int, int, int]
 
 @final
@@ -150,7 +151,7 @@ class Options:
         self_contact: bool | None = None,
         max_memory: int | None = None,
         tolerance: float | None = None,
-        mode: Literal["auto", "conservative", "exact"] | None = None,
+        mode: _Mode | None = None,
         leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,
@@ -176,7 +177,7 @@ class Options:
     def tolerance(self) -> float:
         """How early a certain time of impact may be."""
     @property
-    def mode(self) -> str:
+    def mode(self) -> _Mode:
         """Auto, conservative or exact."""
     @property
     def leave_contact(self) -> bool:
@@ -229,7 +230,7 @@ class Session:
         self_contact: bool | None = None,
         max_memory: int | None = None,
         tolerance: float | None = None,
-        mode: Literal["auto", "conservative", "exact"] | None = None,
+        mode: _Mode | None = None,
         leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,
@@ -252,7 +253,7 @@ class Session:
     def last_place(self) -> str:
         """Where the last step ran: `place`, or the CPU for one on a GPU in which little moved."""
     def step(
-        self, x0: _Array, x1: _Array, window: tuple[float, float] | None = None
+        self, x0: _Array, x1: _Array, window: Sequence[float] | None = None
     ) -> Report:
         """Every contact of the step that exists in a window of time."""
     def step_many(self, frames: _Array | Iterable[_Array]) -> list[Report]:
@@ -315,7 +316,7 @@ class Session:
         self_contact: bool | None = None,
         max_memory: int | None = None,
         tolerance: float | None = None,
-        mode: Literal["auto", "conservative", "exact"] | None = None,
+        mode: _Mode | None = None,
         leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,
@@ -329,7 +330,7 @@ class Session:
     def set_cancel_token(self, token: CancelToken | None = None) -> None:
         """From now on calls end with a RuntimeError once this token is cancelled."""
     def set_filter(
-        self, filter: Callable[[int, _Ids], NDArray[np.bool_]] | None = None
+        self, filter: Callable[[int, _Ids], _Flags] | None = None
     ) -> None:
         """From now on filter(kind, pairs) says which candidates count."""
 
@@ -430,6 +431,7 @@ class Report:
 class Geometry:
     """How features meet at the times of impact: arrays with an entry for each contact."""
 
+    def __new__(cls, **parts: object) -> Geometry: ...
     @property
     def point(self) -> NDArray[np.float64]:
         """Halfway between the nearest points, (n, 3)."""
@@ -448,11 +450,13 @@ class Geometry:
     @property
     def distance(self) -> NDArray[np.float64]:
         """Between the nearest points, (n,)."""
+    def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, object]]: ...
 
 @final
 class Hit:
     """The first contact of a step."""
 
+    def __new__(cls, **parts: object) -> Hit: ...
     @property
     def toi(self) -> float:
         """Time of impact in [0, 1]; never late."""
@@ -463,28 +467,29 @@ class Hit:
     def state(self) -> int:
         """State.HIT or State.UNDECIDED."""
     @property
-    def features(self) -> list[int]:
+    def features(self) -> tuple[int, int]:
         """Vertex and face, or the lesser and the greater edge."""
     @property
-    def bodies(self) -> list[int]:
+    def bodies(self) -> tuple[int, int]:
         """The bodies of the features."""
     @property
-    def vertices(self) -> list[int]:
-        """v f0 f1 f2, or ea0 ea1 eb0 eb1."""
+    def vertices(self) -> _Ids:
+        """v f0 f1 f2, or ea0 ea1 eb0 eb1: (4,)."""
     @property
-    def point(self) -> list[float]:
-        """Where they meet."""
+    def point(self) -> NDArray[np.float64]:
+        """Where they meet, (3,)."""
     @property
-    def normal(self) -> list[float]:
-        """Unit vector from the second feature towards the first."""
+    def normal(self) -> NDArray[np.float64]:
+        """Unit vector from the second feature towards the first, (3,)."""
     @property
-    def weights(self) -> list[float]:
-        """Of each of the vertices, in the point of its feature."""
+    def weights(self) -> NDArray[np.float64]:
+        """Of each of the vertices, in the point of its feature, (4,)."""
     @property
     def distance(self) -> float:
         """How far the features are apart at that time."""
-    def normal_towards(self, body: int) -> list[float]:
+    def normal_towards(self, body: int) -> NDArray[np.float64]:
         """The normal that points towards body, away from what it touches."""
+    def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, object]]: ...
 
 @final
 class BroadPhase:
@@ -543,22 +548,22 @@ def distance(kind: int, x: _Array) -> tuple[NDArray[np.float64], NDArray[np.floa
     """Least and greatest distance of features at one moment, positions (..., n, 3)."""
 
 def exact_vertex_face(
-    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+    x0: _Array, x1: _Array, window: Sequence[float] = (0.0, 1.0)
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times (.., 2) of vertex-face queries decided exactly, positions (..., 4, 3)."""
 
 def exact_edge_edge(
-    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+    x0: _Array, x1: _Array, window: Sequence[float] = (0.0, 1.0)
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times (.., 2) of edge-edge queries decided exactly, positions (..., 4, 3)."""
 
 def exact_vertex_edge(
-    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+    x0: _Array, x1: _Array, window: Sequence[float] = (0.0, 1.0)
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times (.., 2) of vertex-edge queries decided exactly, positions (..., 3, 3)."""
 
 def exact_vertex_vertex(
-    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+    x0: _Array, x1: _Array, window: Sequence[float] = (0.0, 1.0)
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times (.., 2) of vertex-vertex queries decided exactly, positions (..., 2, 3)."""
 
@@ -601,7 +606,7 @@ def read_mesh(
     """A mesh and its positions: OBJ, PLY, STL, OFF, glTF or GLB."""
 
 def read_positions(
-    path: str | PathLike[str], frames: tuple[int, int] | None = None
+    path: str | PathLike[str], frames: Sequence[int] | None = None
 ) -> NDArray[np.float64]:
     """Positions over time (n_frames, n_vertices, 3): NPY, NPZ, PC2 or MDD."""
 
