@@ -11,8 +11,8 @@ pub struct BodyOptions {
     /// The body of each vertex, as whole numbers from 0
     ///
     /// Separated by white space or commas. Without it the connected parts of the mesh are the
-    /// bodies, numbered in the order of their first vertices. With --with: of the vertices of all
-    /// objects, in order.
+    /// bodies, numbered in the order of their first vertices. Of several objects: of all vertices,
+    /// in order.
     #[arg(long, value_name = "FILE", help_heading = INPUT)]
     bodies: Option<PathBuf>,
     /// Leave out contacts within one body, or one connected part if no bodies are given

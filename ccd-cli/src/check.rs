@@ -221,7 +221,7 @@ fn print(
     if mesh.n_degenerate() > 0 {
         output::line(
             "",
-            format_args!("{} faces or edges name a vertex twice", mesh.n_degenerate()),
+            format_args!("faces and edges that name a vertex twice: {}", mesh.n_degenerate()),
         );
     }
     objects.print();
@@ -305,8 +305,10 @@ fn named<'a>(
             let name = ["x", "y", "z"][axis as usize];
             let precision = precision.name();
             let (path, vertex) = place(time as u32, vertex);
-            let what = format!("vertex {vertex} (counted from 0): {name} = {value} in");
-            in_file(path, format_args!("{what} {precision}"))
+            let what = format!("vertex {vertex} (counted from 0): {name} = {value} in {precision}");
+            let more =
+                if precision == "f32" { "; it may be within f64, see --precision" } else { "" };
+            in_file(path, format_args!("{what}{more}"))
         }
         Error::Input(ccd::Error::FixedMoves { vertex }) => {
             let [(from, _), (path, vertex)] = [0, 1].map(|time| place(time, vertex));

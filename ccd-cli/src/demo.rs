@@ -123,7 +123,10 @@ impl Demo {
                 format!("{n} edges pass through faces")
             },
         );
-        output::line("written", format_args!("{}, {}", last.display(), plots.display()));
+        let frames = self.frames_out.as_deref().map_or(String::new(), |folder| {
+            format!(", {} ({} frames)", folder.display(), n_frames + 1)
+        });
+        output::line("written", format_args!("{}, {}{frames}", last.display(), plots.display()));
         if n > 0 {
             return Err(Failure(format!("{n} penetrations after {n_frames} frames")));
         }

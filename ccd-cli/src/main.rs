@@ -312,6 +312,12 @@ impl StepOptions {
             .with_bodies(self.bodies.of(&mesh, objects, self.max_memory)?)
             .with_threads(self.backend.threads())
             .with_max_memory(self.max_memory);
+        if self.leave_contact && self.min_distance == 0.0 {
+            output::notice!("--leave-contact has no effect without --min-distance");
+        }
+        if self.mode == ccd::Mode::Exact && self.tolerance != ccd::TOI_TOLERANCE {
+            output::notice!("--tolerance has no effect on exact times");
+        }
         let choice = self.backend.choose(mesh.edges().len())?;
         let session = ccd::any::Session::new(&choice, mesh, self.method.set(options)?);
         let mut session = session.map_err(|e| match e {

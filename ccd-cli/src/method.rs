@@ -2,7 +2,7 @@
 //! from.
 
 use super::named::named;
-use super::scheduling::SchedulingOptions;
+use super::scheduling::{SchedulingOptions, within};
 use super::{Failure, Outcome, output};
 use ccd::Options;
 use ccd::method::{
@@ -33,15 +33,17 @@ pub struct MethodOptions {
     #[arg(long, value_name = "NAME", value_parser = named::<Volume>())]
     #[arg(hide_possible_values = true, hide_short_help = true)]
     volume: Option<Volume>,
-    /// Neighbours to either side that --builder ploc looks at
+    /// Neighbours to either side that --builder ploc looks at [default: 16]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, Builder::MAX_RADIUS))]
     radius: Option<u32>,
     /// Most boxes for --builder nearest-pair, whose time grows with their square [default: 20000]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(value_parser = within(1, u32::MAX))]
     max_boxes: Option<u32>,
-    /// Nodes of the cut that --traversal cut and cut-stacks start from
+    /// Nodes of the cut that --traversal cut and cut-stacks start from [default: 256]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, Traversal::MAX_CUT))]
     cut: Option<u32>,
     /// What is paired first, features or triangles
     #[arg(long, value_name = "NAME", value_parser = named::<Pipeline>())]
@@ -270,7 +272,10 @@ impl List {
             let users = "of blocks, and of trees by pairs of nodes";
             print::<Scheduler>(&format!("Schedulers {users}, --scheduler NAME"), &all.schedulers);
             print::<Front>(&format!("Fronts {users}, --front NAME"), &all.fronts);
-            output::say!("* what is used without the option (a GPU uses the scheduler frontier)");
+            output::say!(
+                "* what is used without the option; without a scheduler, blocks on a CPU begin"
+            );
+            output::say!("  with a share of tasks for each worker, and a GPU goes level by level");
             output::say!("+ always in this command; the library needs the feature `catalogue`");
         }
         output::flush();

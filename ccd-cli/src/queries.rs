@@ -16,7 +16,8 @@ pub struct Queries {
     /// Query files
     #[arg(required = true, value_name = "FILE.csv")]
     files: Vec<PathBuf>,
-    /// Coordinates of the queries (f32: rounded, decided in f32, in f64 where that leaves it open)
+    /// Coordinates of the queries (f32: rounded, decided in f32, in f64 where that leaves it open;
+    /// answers of files are about coordinates that are not rounded)
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     precision: Precision,
     /// What the files hold; without it their paths tell
@@ -128,6 +129,12 @@ impl Queries {
                 "far: misses by the boxes alone; undec.: counted among hits, too close to"
             );
             output::say!("tell; f.pos., f.neg.: hits and misses that the answers deny; ns: each");
+            if self.precision == Precision::F32 {
+                output::say!(
+                    "Answers are about coordinates that are not rounded to f32: denied by them"
+                );
+                output::say!("is here no error.");
+            }
         }
         output::flush();
         Ok::<_, Failure>(any)

@@ -2,8 +2,9 @@
 
 use super::Failure;
 use super::named::named;
-use ccd::method::{Catalogued, Front, Scheduler, Scheduling, WorkerOptions};
+use ccd::method::{Catalogued, Front, FrontOptions, Scheduler, Scheduling, WorkerOptions};
 use clap::Args;
+use clap::builder::TypedValueParser;
 
 /// Options of schedulers and of fronts; `-h` shows none of them.
 #[derive(Args)]
@@ -18,35 +19,50 @@ pub struct SchedulingOptions {
     /// --scheduler
     #[arg(long, value_name = "NAME", value_parser = named::<Front>(), hide_short_help = true)]
     front: Option<Front>,
-    /// Compare the front's length with its length N steps before
+    /// Compare the front's length with its length N steps before [default: 16]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, u32::MAX))]
     front_period: Option<u32>,
-    /// Give the front up if it is then below N percent of that length; 0: never
+    /// Give the front up if it is then below N percent of that length; 0: never [default: 0]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     front_threshold: Option<u32>,
     /// Give the front up if it is longer than N percent of its length after a step from the roots
+    /// [default: 150]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(100, u32::MAX))]
     front_growth: Option<u32>,
-    /// Most memory of all fronts in MiB; a longer one is given up
+    /// Most memory of all fronts in MiB; a longer one is given up [default: 512]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, FrontOptions::MAX_MEMORY))]
     front_memory: Option<u32>,
     /// Percentage of workers that must be idle for --scheduler balanced to deal out again
+    /// [default: 50]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, 100))]
     idle: Option<u32>,
-    /// Workers of --scheduler: threads, never more than --threads; workgroups of a GPU, a power of
-    /// two from 16 to 2048
+    /// Workers of --scheduler: threads, never more than --threads; workgroups of a GPU, from 16
+    /// to 2048, rounded up to a power of two
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, WorkerOptions::MAX_WORKERS))]
     workers: Option<u32>,
     /// Pairs of nodes that the stack of a GPU's worker holds, at most 1024; those of threads grow
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, WorkerOptions::MAX_STACK))]
     stack: Option<u32>,
     /// Pairs of a batch of --scheduler lazy-stealing, and of stealing on a GPU, at most 64
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, WorkerOptions::MAX_BATCH))]
     batch: Option<u32>,
     /// Length of a stack from which on --scheduler lazy-stealing, and stealing on a GPU, offers a
     /// batch to others, at most 1024
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = within(1, WorkerOptions::MAX_STACK))]
     threshold: Option<u32>,
+}
+
+/// A parser of whole numbers.
+pub fn within(least: u32, most: u32) -> impl TypedValueParser<Value = u32> {
+    clap::value_parser!(u32).range(i64::from(least)..=i64::from(most))
 }
 
 impl SchedulingOptions {
@@ -75,10 +91,8 @@ impl SchedulingOptions {
             (self.batch, "--batch", steals, of_stealing),
             (self.threshold, "--threshold", steals, of_stealing),
         ] {
-            match value {
-                Some(0) => return Err(Failure(format!("{option}: 0; it must be at least 1"))),
-                Some(_) if !has => return Err(Failure(format!("{option} is for {who}"))),
-                _ => {}
+            if value.is_some() && !has {
+                return Err(Failure(format!("{option} is for {who}")));
             }
         }
         Ok(WorkerOptions::default()

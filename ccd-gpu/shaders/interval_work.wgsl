@@ -105,35 +105,35 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_5: type_17;
     var local_6: type_21;
     var local_7: type_17;
-    var phi_213_: type_14;
-    var phi_216_: u32;
-    var phi_218_: u32;
     var phi_214_: type_14;
-    var phi_259_: type_15;
-    var phi_290_: u32;
-    var phi_291_: u32;
-    var phi_292_: bool;
     var phi_217_: u32;
     var phi_219_: u32;
+    var phi_215_: type_14;
+    var phi_260_: type_15;
+    var phi_291_: u32;
+    var phi_292_: u32;
     var phi_293_: bool;
+    var phi_218_: u32;
+    var phi_220_: u32;
+    var phi_294_: bool;
     var local_8: u32;
-    var phi_398_: type_9;
-    var phi_462_: u32;
+    var phi_399_: type_9;
     var phi_463_: u32;
-    var phi_464_: bool;
-    var phi_485_: u32;
-    var phi_504_: array<u32, 2>;
-    var phi_575_: type_9;
-    var phi_784_: type_9;
-    var phi_787_: type_24;
-    var phi_820_: type_9;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var local_9: bool;
-    var phi_891_: type_24;
-    var phi_892_: bool;
+    var phi_464_: u32;
+    var phi_465_: bool;
+    var phi_486_: u32;
+    var phi_505_: array<u32, 2>;
+    var phi_576_: type_9;
+    var phi_785_: type_9;
     var phi_788_: type_24;
+    var phi_821_: type_9;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var local_9: bool;
+    var phi_892_: type_24;
     var phi_893_: bool;
+    var phi_789_: type_24;
+    var phi_894_: bool;
     var local_10: type_24;
     var local_11: type_24;
     var local_12: type_24;
@@ -141,60 +141,61 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_14: type_24;
     var local_15: type_24;
     var local_16: type_24;
-    var phi_950_: type_9;
-    var phi_1071_: type_9;
-    var phi_1178_: array<u32, 3>;
-    var phi_1179_: array<u32, 3>;
-    var phi_1180_: array<u32, 3>;
-    var phi_1183_: type_9;
-    var phi_1437_: array<u32, 2>;
-    var phi_1438_: array<u32, 2>;
-    var phi_1439_: bool;
-    var phi_1440_: array<u32, 2>;
-    var phi_1441_: bool;
-    var phi_1442_: array<u32, 2>;
-    var phi_1443_: bool;
-    var phi_1449_: array<u32, 2>;
-    var phi_1457_: array<u32, 2>;
-    var phi_1458_: bool;
-    var phi_1459_: array<u32, 2>;
-    var phi_1460_: bool;
-    var phi_1472_: array<u32, 2>;
-    var phi_1473_: array<u32, 2>;
-    var phi_1498_: type_14;
-    var phi_1501_: u32;
-    var phi_1503_: u32;
-    var phi_1499_: type_14;
-    var phi_1544_: type_15;
-    var phi_1575_: u32;
-    var phi_1576_: u32;
-    var phi_1577_: bool;
-    var phi_1502_: u32;
-    var phi_1504_: u32;
-    var phi_1578_: bool;
+    var phi_951_: type_9;
+    var phi_1044_: f32;
+    var phi_1077_: type_9;
+    var phi_1184_: array<u32, 3>;
+    var phi_1185_: array<u32, 3>;
+    var phi_1186_: array<u32, 3>;
+    var phi_1189_: type_9;
+    var phi_1443_: array<u32, 2>;
+    var phi_1444_: array<u32, 2>;
+    var phi_1445_: bool;
+    var phi_1446_: array<u32, 2>;
+    var phi_1447_: bool;
+    var phi_1448_: array<u32, 2>;
+    var phi_1449_: bool;
+    var phi_1455_: array<u32, 2>;
+    var phi_1463_: array<u32, 2>;
+    var phi_1464_: bool;
+    var phi_1465_: array<u32, 2>;
+    var phi_1466_: bool;
+    var phi_1478_: array<u32, 2>;
+    var phi_1479_: array<u32, 2>;
+    var phi_1504_: type_14;
+    var phi_1507_: u32;
+    var phi_1509_: u32;
+    var phi_1505_: type_14;
+    var phi_1550_: type_15;
+    var phi_1581_: u32;
+    var phi_1582_: u32;
+    var phi_1583_: bool;
+    var phi_1508_: u32;
+    var phi_1510_: u32;
+    var phi_1584_: bool;
     var local_17: u32;
     var local_18: u32;
-    var phi_1594_: u32;
-    var phi_1598_: type_14;
-    var phi_1601_: u32;
-    var phi_1603_: u32;
-    var phi_1599_: type_14;
-    var phi_1644_: type_15;
-    var phi_1675_: u32;
-    var phi_1676_: u32;
-    var phi_1677_: bool;
-    var phi_1602_: u32;
-    var phi_1604_: u32;
-    var phi_1678_: bool;
+    var phi_1600_: u32;
+    var phi_1604_: type_14;
+    var phi_1607_: u32;
+    var phi_1609_: u32;
+    var phi_1605_: type_14;
+    var phi_1650_: type_15;
+    var phi_1681_: u32;
+    var phi_1682_: u32;
+    var phi_1683_: bool;
+    var phi_1608_: u32;
+    var phi_1610_: u32;
+    var phi_1684_: bool;
     var local_19: u32;
     var local_20: u32;
-    var phi_1712_: u32;
-    var phi_1713_: u32;
-    var phi_1714_: u32;
-    var phi_1715_: u32;
-    var phi_1730_: type_9;
-    var phi_1789_: u32;
-    var phi_1808_: type_9;
+    var phi_1718_: u32;
+    var phi_1719_: u32;
+    var phi_1720_: u32;
+    var phi_1721_: u32;
+    var phi_1736_: type_9;
+    var phi_1795_: u32;
+    var phi_1814_: type_9;
     var local_21: u32;
     var local_22: u32;
     var id_2: vec3<u32>;
@@ -204,632 +205,639 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e79 = id_2;
-    let _e80 = n_2;
-    let _e81 = lane_2;
-    let _e91 = ((_e79.y * _e80.x) + _e79.x);
-    let _e94 = params.member.member_2.member;
-    let _e97 = params.member.member_2.member_1;
-    let _e100 = params.member.member_2.member_2;
-    let _e104 = params.member.member.member_2[3u];
-    let _e106 = select(1u, 10u, (_e94 == 2u));
-    let _e107 = (_e97 == 0u);
-    atomicStore((&ranges[_e81]), 4294967295u);
-    atomicStore((&ranges[(128u + _e81)]), 0u);
-    if (_e81 <= 8u) {
-        phi_213_ = type_14(0i, 32i);
-        phi_216_ = 0u;
-        phi_218_ = _e104;
+    let _e80 = id_2;
+    let _e81 = n_2;
+    let _e82 = lane_2;
+    let _e92 = ((_e80.y * _e81.x) + _e80.x);
+    let _e95 = params.member.member_2.member;
+    let _e98 = params.member.member_2.member_1;
+    let _e101 = params.member.member_2.member_2;
+    let _e105 = params.member.member.member_2[3u];
+    let _e107 = select(1u, 10u, (_e95 == 2u));
+    let _e108 = (_e98 == 0u);
+    atomicStore((&ranges[_e82]), 4294967295u);
+    atomicStore((&ranges[(128u + _e82)]), 0u);
+    if (_e82 <= 8u) {
+        phi_214_ = type_14(0i, 32i);
+        phi_217_ = 0u;
+        phi_219_ = _e105;
         loop {
-            let _e128 = phi_213_;
-            let _e130 = phi_216_;
-            let _e132 = phi_218_;
-            local_8 = _e130;
-            if (_e128.member < _e128.member_1) {
-                let _e139 = (_e128.member + 1i);
-                phi_214_ = type_14(select(_e139, type_15().member_1, select(false, true, ((false == (_e139 > _e128.member)) != false))), _e128.member_1);
-                phi_259_ = type_15(1u, _e128.member);
+            let _e129 = phi_214_;
+            let _e131 = phi_217_;
+            let _e133 = phi_219_;
+            local_8 = _e131;
+            if (_e129.member < _e129.member_1) {
+                let _e140 = (_e129.member + 1i);
+                phi_215_ = type_14(select(_e140, type_15().member_1, select(false, true, ((false == (_e140 > _e129.member)) != false))), _e129.member_1);
+                phi_260_ = type_15(1u, _e129.member);
             } else {
-                phi_214_ = _e128;
-                phi_259_ = type_15(0u, type_15().member_1);
+                phi_215_ = _e129;
+                phi_260_ = type_15(0u, type_15().member_1);
             }
-            let _e150 = phi_214_;
-            let _e152 = phi_259_;
-            if (bitcast<i32>(_e152.member) != 0i) {
-                if (_e130 >= _e132) {
-                    phi_290_ = u32();
+            let _e151 = phi_215_;
+            let _e153 = phi_260_;
+            if (bitcast<i32>(_e153.member) != 0i) {
+                if (_e131 >= _e133) {
                     phi_291_ = u32();
-                    phi_292_ = false;
+                    phi_292_ = u32();
+                    phi_293_ = false;
                 } else {
-                    let _e159 = (_e130 + ((_e132 - _e130) / 2u));
-                    let _e161 = keys.member[_e159];
-                    let _e162 = (_e161 < ((select(select(1u, 2u, _e107), select(1u, 0u, _e107), (_e100 >= (select(1u, 8u, (_e94 == 2u)) * select(1u, 10u, (_e94 == 2u))))) << bitcast<u32>(30u)) + (_e81 << bitcast<u32>(27u))));
-                    phi_290_ = select(_e130, (_e159 + 1u), _e162);
-                    phi_291_ = select(_e159, _e132, _e162);
-                    phi_292_ = true;
+                    let _e160 = (_e131 + ((_e133 - _e131) / 2u));
+                    let _e162 = keys.member[_e160];
+                    let _e163 = (_e162 < ((select(select(1u, 2u, _e108), select(1u, 0u, _e108), (_e101 >= (select(1u, 8u, (_e95 == 2u)) * select(1u, 10u, (_e95 == 2u))))) << bitcast<u32>(30u)) + (_e82 << bitcast<u32>(27u))));
+                    phi_291_ = select(_e131, (_e160 + 1u), _e163);
+                    phi_292_ = select(_e160, _e133, _e163);
+                    phi_293_ = true;
                 }
-                let _e167 = phi_290_;
-                let _e169 = phi_291_;
-                let _e171 = phi_292_;
-                phi_217_ = _e167;
-                phi_219_ = _e169;
-                phi_293_ = _e171;
+                let _e168 = phi_291_;
+                let _e170 = phi_292_;
+                let _e172 = phi_293_;
+                phi_218_ = _e168;
+                phi_220_ = _e170;
+                phi_294_ = _e172;
             } else {
-                phi_217_ = u32();
-                phi_219_ = u32();
-                phi_293_ = false;
+                phi_218_ = u32();
+                phi_220_ = u32();
+                phi_294_ = false;
             }
-            let _e173 = phi_217_;
-            let _e175 = phi_219_;
-            let _e177 = phi_293_;
+            let _e174 = phi_218_;
+            let _e176 = phi_220_;
+            let _e178 = phi_294_;
             continue;
             continuing {
-                phi_213_ = _e150;
-                phi_216_ = _e173;
-                phi_218_ = _e175;
-                break if !(_e177);
+                phi_214_ = _e151;
+                phi_217_ = _e174;
+                phi_219_ = _e176;
+                break if !(_e178);
             }
         }
-        let _e181 = local_8;
-        atomicStore((&ranges[(640u + _e81)]), _e181);
+        let _e182 = local_8;
+        atomicStore((&ranges[(640u + _e82)]), _e182);
     }
     workgroupBarrier();
-    let _e184 = params.member.member_2.member;
-    let _e187 = params.member.member_2.member_1;
-    let _e188 = (_e187 == 0u);
-    let _e197 = select(select(1u, 0u, _e188), select(1u, 2u, _e188), (_e100 >= (select(1u, 8u, (_e184 == 2u)) * select(1u, 10u, (_e184 == 2u)))));
-    let _e199 = ((_e91 * 128u) + _e81);
-    let _e203 = params.member.member.member_2[_e197];
-    let _e204 = (_e203 + _e199);
-    let _e208 = params.member.member.member[_e197];
-    if (_e199 < _e208) {
-        let _e211 = keys.member[_e204];
-        let _e213 = sorted.member[_e204];
-        local_7 = type_17(array<f32, 3>(_e213.member[0], _e213.member[1], _e213.member[2]), array<f32, 3>(_e213.member_1[0], _e213.member_1[1], _e213.member_1[2]));
-        phi_398_ = type_9(0u, select(1u, 8u, (_e94 == 2u)));
+    let _e185 = params.member.member_2.member;
+    let _e188 = params.member.member_2.member_1;
+    let _e189 = (_e188 == 0u);
+    let _e198 = select(select(1u, 0u, _e189), select(1u, 2u, _e189), (_e101 >= (select(1u, 8u, (_e185 == 2u)) * select(1u, 10u, (_e185 == 2u)))));
+    let _e200 = ((_e92 * 128u) + _e82);
+    let _e204 = params.member.member.member_2[_e198];
+    let _e205 = (_e204 + _e200);
+    let _e209 = params.member.member.member[_e198];
+    if (_e200 < _e209) {
+        let _e212 = keys.member[_e205];
+        let _e214 = sorted.member[_e205];
+        local_7 = type_17(array<f32, 3>(_e214.member[0], _e214.member[1], _e214.member[2]), array<f32, 3>(_e214.member_1[0], _e214.member_1[1], _e214.member_1[2]));
+        phi_399_ = type_9(0u, select(1u, 8u, (_e95 == 2u)));
         loop {
-            let _e229 = phi_398_;
-            let _e232 = (_e229.member < _e229.member_1);
-            let _e243 = select(type_9().member_1, _e229.member, _e232);
-            let _e245 = (bitcast<i32>(select(0u, 1u, _e232)) != 0i);
-            if _e245 {
-                let _e253 = select(false, (_e100 >= (select(1u, 8u, (_e94 == 2u)) * select(1u, 10u, (_e94 == 2u)))), (_e243 == 0u));
-                if (_e94 != 2u) {
-                    phi_463_ = u32();
-                    phi_464_ = true;
+            let _e230 = phi_399_;
+            let _e233 = (_e230.member < _e230.member_1);
+            let _e244 = select(type_9().member_1, _e230.member, _e233);
+            let _e246 = (bitcast<i32>(select(0u, 1u, _e233)) != 0i);
+            if _e246 {
+                let _e254 = select(false, (_e101 >= (select(1u, 8u, (_e95 == 2u)) * select(1u, 10u, (_e95 == 2u)))), (_e244 == 0u));
+                if (_e95 != 2u) {
+                    phi_464_ = u32();
+                    phi_465_ = true;
                 } else {
-                    if _e253 {
-                        phi_462_ = u32();
+                    if _e254 {
+                        phi_463_ = u32();
                     } else {
-                        let _e258 = (((_e211 >> bitcast<u32>(27u)) % 8u) + _e243);
-                        phi_462_ = select(8u, _e258, (_e258 < 8u));
+                        let _e259 = (((_e212 >> bitcast<u32>(27u)) % 8u) + _e244);
+                        phi_463_ = select(8u, _e259, (_e259 < 8u));
                     }
-                    let _e262 = phi_462_;
-                    phi_463_ = _e262;
-                    phi_464_ = _e253;
+                    let _e263 = phi_463_;
+                    phi_464_ = _e263;
+                    phi_465_ = _e254;
                 }
-                let _e264 = phi_463_;
-                let _e266 = phi_464_;
-                let _e267 = select(_e264, 8u, _e266);
-                let _e269 = select(_e267, 7u, (7u < _e267));
-                if (_e267 < 8u) {
-                    let _e274 = atomicLoad((&ranges[(_e269 + 641u)]));
-                    let _e276 = atomicLoad((&ranges[(640u + _e269)]));
-                    phi_485_ = (_e274 - _e276);
+                let _e265 = phi_464_;
+                let _e267 = phi_465_;
+                let _e268 = select(_e265, 8u, _e267);
+                let _e270 = select(_e268, 7u, (7u < _e268));
+                if (_e268 < 8u) {
+                    let _e275 = atomicLoad((&ranges[(_e270 + 641u)]));
+                    let _e277 = atomicLoad((&ranges[(640u + _e270)]));
+                    phi_486_ = (_e275 - _e277);
                 } else {
-                    phi_485_ = 0u;
+                    phi_486_ = 0u;
                 }
-                let _e279 = phi_485_;
-                if (_e94 == 2u) {
-                    let _e281 = (_e279 == 0u);
-                    let _e282 = (_e279 <= 256u);
-                    phi_504_ = array<u32, 2>(select(select(0u, 9u, _e282), 0u, _e281), select(select(9u, 10u, _e282), 0u, _e281));
+                let _e280 = phi_486_;
+                if (_e95 == 2u) {
+                    let _e282 = (_e280 == 0u);
+                    let _e283 = (_e280 <= 256u);
+                    phi_505_ = array<u32, 2>(select(select(0u, 9u, _e283), 0u, _e282), select(select(9u, 10u, _e283), 0u, _e282));
                 } else {
-                    phi_504_ = array<u32, 2>(0u, 1u);
+                    phi_505_ = array<u32, 2>(0u, 1u);
                 }
-                let _e289 = phi_504_;
-                if (_e289[0] < _e289[1]) {
-                    if (_e94 == 2u) {
-                        let _e295 = survey.member[6u];
-                        let _e302 = bitcast<f32>(select(~(_e295), (_e295 & 2147483647u), ((_e295 >> bitcast<u32>(31i)) == 1u)));
-                        let _e304 = survey.member[7u];
-                        let _e311 = bitcast<f32>(select(~(_e304), (_e304 & 2147483647u), ((_e304 >> bitcast<u32>(31i)) == 1u)));
-                        let _e313 = survey.member[8u];
-                        let _e320 = bitcast<f32>(select(~(_e313), (_e313 & 2147483647u), ((_e313 >> bitcast<u32>(31i)) == 1u)));
+                let _e290 = phi_505_;
+                if (_e290[0] < _e290[1]) {
+                    if (_e95 == 2u) {
+                        let _e296 = survey.member[6u];
+                        let _e303 = bitcast<f32>(select(~(_e296), (_e296 & 2147483647u), ((_e296 >> bitcast<u32>(31i)) == 1u)));
+                        let _e305 = survey.member[7u];
+                        let _e312 = bitcast<f32>(select(~(_e305), (_e305 & 2147483647u), ((_e305 >> bitcast<u32>(31i)) == 1u)));
+                        let _e314 = survey.member[8u];
+                        let _e321 = bitcast<f32>(select(~(_e314), (_e314 & 2147483647u), ((_e314 >> bitcast<u32>(31i)) == 1u)));
                         local_5 = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_575_ = type_9(0u, 3u);
+                        phi_576_ = type_9(0u, 3u);
                         loop {
-                            let _e322 = phi_575_;
-                            let _e325 = (_e322.member < _e322.member_1);
-                            let _e336 = select(type_9().member_1, _e322.member, _e325);
-                            let _e338 = (bitcast<i32>(select(0u, 1u, _e325)) != 0i);
-                            if _e338 {
-                                let _e340 = survey.member[_e336];
-                                let _e341 = ~(_e340);
-                                local_5.member[_e336] = bitcast<f32>(select(~(_e341), (_e341 & 2147483647u), ((_e341 >> bitcast<u32>(31i)) == 1u)));
-                                let _e353 = survey.member[(3u + _e336)];
-                                local_5.member_1[_e336] = bitcast<f32>(select(~(_e353), (_e353 & 2147483647u), ((_e353 >> bitcast<u32>(31i)) == 1u)));
+                            let _e323 = phi_576_;
+                            let _e326 = (_e323.member < _e323.member_1);
+                            let _e337 = select(type_9().member_1, _e323.member, _e326);
+                            let _e339 = (bitcast<i32>(select(0u, 1u, _e326)) != 0i);
+                            if _e339 {
+                                let _e341 = survey.member[_e337];
+                                let _e342 = ~(_e341);
+                                local_5.member[_e337] = bitcast<f32>(select(~(_e342), (_e342 & 2147483647u), ((_e342 >> bitcast<u32>(31i)) == 1u)));
+                                let _e354 = survey.member[(3u + _e337)];
+                                local_5.member_1[_e337] = bitcast<f32>(select(~(_e354), (_e354 & 2147483647u), ((_e354 >> bitcast<u32>(31i)) == 1u)));
                             }
                             continue;
                             continuing {
-                                phi_575_ = type_9(select(_e322.member, (_e322.member + 1u), _e325), select(_e322.member_1, _e322.member_1, _e325));
-                                break if !(_e338);
+                                phi_576_ = type_9(select(_e323.member, (_e323.member + 1u), _e326), select(_e323.member_1, _e323.member_1, _e326));
+                                break if !(_e339);
                             }
                         }
-                        let _e364 = local_5;
-                        local_6 = type_21(_e364, array<f32, 3>(_e302, _e311, _e320));
-                        if (_e243 == 0u) {
-                            let _e655 = (_e211 & 134217727u);
-                            phi_1178_ = array<u32, 3>((_e655 & 511u), ((_e655 >> bitcast<u32>(9u)) & 511u), (_e655 >> bitcast<u32>(18u)));
+                        let _e365 = local_5;
+                        local_6 = type_21(_e365, array<f32, 3>(_e303, _e312, _e321));
+                        if (_e244 == 0u) {
+                            let _e659 = (_e212 & 134217727u);
+                            phi_1184_ = array<u32, 3>((_e659 & 511u), ((_e659 >> bitcast<u32>(9u)) & 511u), (_e659 >> bitcast<u32>(18u)));
                         } else {
-                            let _e385 = local_6.member.member_1[0u];
-                            let _e389 = local_6.member.member[0u];
-                            let _e394 = local_6.member.member_1[1u];
-                            let _e398 = local_6.member.member[1u];
-                            let _e403 = local_6.member.member_1[2u];
-                            let _e407 = local_6.member.member[2u];
-                            local_3 = array<f32, 3>(((_e385 * 0.5f) - (_e389 * 0.5f)), ((_e394 * 0.5f) - (_e398 * 0.5f)), ((_e403 * 0.5f) - (_e407 * 0.5f)));
-                            phi_784_ = type_9(0u, 9u);
-                            phi_787_ = type_24(type_21(type_17(array<f32, 3>(_e364.member[0], _e364.member[1], _e364.member[2]), array<f32, 3>(_e364.member_1[0], _e364.member_1[1], _e364.member_1[2])), array<f32, 3>(_e302, _e311, _e320)), 0u);
+                            let _e386 = local_6.member.member_1[0u];
+                            let _e390 = local_6.member.member[0u];
+                            let _e395 = local_6.member.member_1[1u];
+                            let _e399 = local_6.member.member[1u];
+                            let _e404 = local_6.member.member_1[2u];
+                            let _e408 = local_6.member.member[2u];
+                            local_3 = array<f32, 3>(((_e386 * 0.5f) - (_e390 * 0.5f)), ((_e395 * 0.5f) - (_e399 * 0.5f)), ((_e404 * 0.5f) - (_e408 * 0.5f)));
+                            phi_785_ = type_9(0u, 9u);
+                            phi_788_ = type_24(type_21(type_17(array<f32, 3>(_e365.member[0], _e365.member[1], _e365.member[2]), array<f32, 3>(_e365.member_1[0], _e365.member_1[1], _e365.member_1[2])), array<f32, 3>(_e303, _e312, _e321)), 0u);
                             loop {
-                                let _e412 = phi_784_;
-                                let _e414 = phi_787_;
-                                local_10 = _e414;
-                                local_11 = _e414;
-                                local_12 = _e414;
-                                local_13 = _e414;
-                                local_14 = _e414;
-                                local_15 = _e414;
-                                local_16 = _e414;
-                                let _e417 = (_e412.member < _e412.member_1);
-                                let _e428 = select(type_9().member_1, _e412.member, _e417);
-                                if (bitcast<i32>(select(0u, 1u, _e417)) != 0i) {
-                                    phi_820_ = type_9(0u, 3u);
-                                    phi_823_ = true;
+                                let _e413 = phi_785_;
+                                let _e415 = phi_788_;
+                                local_10 = _e415;
+                                local_11 = _e415;
+                                local_12 = _e415;
+                                local_13 = _e415;
+                                local_14 = _e415;
+                                local_15 = _e415;
+                                local_16 = _e415;
+                                let _e418 = (_e413.member < _e413.member_1);
+                                let _e429 = select(type_9().member_1, _e413.member, _e418);
+                                if (bitcast<i32>(select(0u, 1u, _e418)) != 0i) {
+                                    phi_821_ = type_9(0u, 3u);
+                                    phi_824_ = true;
                                     loop {
-                                        let _e432 = phi_820_;
-                                        let _e434 = phi_823_;
-                                        local_9 = _e434;
-                                        let _e437 = (_e432.member < _e432.member_1);
-                                        let _e448 = select(type_9().member_1, _e432.member, _e437);
-                                        let _e450 = (bitcast<i32>(select(0u, 1u, _e437)) != 0i);
-                                        if _e450 {
-                                            let _e452 = local_3[_e448];
-                                            let _e454 = (_e452 * (1f / 512f));
-                                            let _e459 = local_6.member_1[_e448];
-                                            phi_824_ = select(_e434, false, ((_e459 * bitcast<f32>(((127u - _e428) << bitcast<u32>(23i)))) > select(0.000000000000000000000000000006310887f, _e454, (_e454 > 0.000000000000000000000000000006310887f))));
+                                        let _e433 = phi_821_;
+                                        let _e435 = phi_824_;
+                                        local_9 = _e435;
+                                        let _e438 = (_e433.member < _e433.member_1);
+                                        let _e449 = select(type_9().member_1, _e433.member, _e438);
+                                        let _e451 = (bitcast<i32>(select(0u, 1u, _e438)) != 0i);
+                                        if _e451 {
+                                            let _e453 = local_3[_e449];
+                                            let _e455 = (_e453 * (1f / 512f));
+                                            let _e460 = local_6.member_1[_e449];
+                                            phi_825_ = select(_e435, false, ((_e460 * bitcast<f32>(((127u - _e429) << bitcast<u32>(23i)))) > select(0.000000000000000000000000000006310887f, _e455, (_e455 > 0.000000000000000000000000000006310887f))));
                                         } else {
-                                            phi_824_ = bool();
+                                            phi_825_ = bool();
                                         }
-                                        let _e468 = phi_824_;
+                                        let _e469 = phi_825_;
                                         continue;
                                         continuing {
-                                            phi_820_ = type_9(select(_e432.member, (_e432.member + 1u), _e437), select(_e432.member_1, _e432.member_1, _e437));
-                                            phi_823_ = _e468;
-                                            break if !(_e450);
+                                            phi_821_ = type_9(select(_e433.member, (_e433.member + 1u), _e438), select(_e433.member_1, _e433.member_1, _e438));
+                                            phi_824_ = _e469;
+                                            break if !(_e451);
                                         }
                                     }
-                                    let _e471 = local_9;
-                                    if _e471 {
-                                        phi_891_ = type_24();
-                                        phi_892_ = false;
+                                    let _e472 = local_9;
+                                    if _e472 {
+                                        phi_892_ = type_24();
+                                        phi_893_ = false;
                                     } else {
-                                        phi_891_ = type_24(_e414.member, (_e428 + 1u));
-                                        phi_892_ = true;
+                                        phi_892_ = type_24(_e415.member, (_e429 + 1u));
+                                        phi_893_ = true;
                                     }
-                                    let _e476 = phi_891_;
-                                    let _e478 = phi_892_;
-                                    phi_788_ = _e476;
-                                    phi_893_ = _e478;
+                                    let _e477 = phi_892_;
+                                    let _e479 = phi_893_;
+                                    phi_789_ = _e477;
+                                    phi_894_ = _e479;
                                 } else {
-                                    phi_788_ = type_24();
-                                    phi_893_ = false;
+                                    phi_789_ = type_24();
+                                    phi_894_ = false;
                                 }
-                                let _e480 = phi_788_;
-                                let _e482 = phi_893_;
+                                let _e481 = phi_789_;
+                                let _e483 = phi_894_;
                                 continue;
                                 continuing {
-                                    phi_784_ = type_9(select(_e412.member, (_e412.member + 1u), _e417), select(_e412.member_1, _e412.member_1, _e417));
-                                    phi_787_ = _e480;
-                                    break if !(_e482);
+                                    phi_785_ = type_9(select(_e413.member, (_e413.member + 1u), _e418), select(_e413.member_1, _e413.member_1, _e418));
+                                    phi_788_ = _e481;
+                                    break if !(_e483);
                                 }
                             }
-                            let _e487 = (((_e211 >> bitcast<u32>(27u)) % 8u) + _e243);
-                            let _e489 = select(8u, _e487, (_e487 < 8u));
-                            let _e491 = local_10;
-                            let _e496 = local_11;
-                            let _e500 = local_12;
-                            let _e506 = local_13;
-                            let _e513 = bitcast<f32>(((127u - select((_e506.member_1 - _e489), 0u, ((_e489 + 1u) >= select(8u, (_e500.member_1 + 1u), (_e496.member_1 < 8u))))) << bitcast<u32>(23i)));
-                            let _e515 = local_14;
-                            let _e521 = local_15;
-                            let _e527 = local_16;
-                            local_2.member = type_17(array<f32, 3>(_e491.member.member.member[0], _e491.member.member.member[1], _e491.member.member.member[2]), array<f32, 3>(_e491.member.member.member_1[0], _e491.member.member.member_1[1], _e491.member.member.member_1[2]));
-                            local_2.member_1 = array<f32, 3>((_e515.member.member_1[0] * _e513), (_e521.member.member_1[1] * _e513), (_e527.member.member_1[2] * _e513));
+                            let _e488 = (((_e212 >> bitcast<u32>(27u)) % 8u) + _e244);
+                            let _e490 = select(8u, _e488, (_e488 < 8u));
+                            let _e492 = local_10;
+                            let _e497 = local_11;
+                            let _e501 = local_12;
+                            let _e507 = local_13;
+                            let _e514 = bitcast<f32>(((127u - select((_e507.member_1 - _e490), 0u, ((_e490 + 1u) >= select(8u, (_e501.member_1 + 1u), (_e497.member_1 < 8u))))) << bitcast<u32>(23i)));
+                            let _e516 = local_14;
+                            let _e522 = local_15;
+                            let _e528 = local_16;
+                            local_2.member = type_17(array<f32, 3>(_e492.member.member.member[0], _e492.member.member.member[1], _e492.member.member.member[2]), array<f32, 3>(_e492.member.member.member_1[0], _e492.member.member.member_1[1], _e492.member.member.member_1[2]));
+                            local_2.member_1 = array<f32, 3>((_e516.member.member_1[0] * _e514), (_e522.member.member_1[1] * _e514), (_e528.member.member_1[2] * _e514));
                             local_1.member = array<f32, 3>(0f, 0f, 0f);
                             local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
-                            phi_950_ = type_9(0u, 3u);
+                            phi_951_ = type_9(0u, 3u);
                             loop {
-                                let _e549 = phi_950_;
-                                let _e552 = (_e549.member < _e549.member_1);
-                                let _e563 = select(type_9().member_1, _e549.member, _e552);
-                                let _e565 = (bitcast<i32>(select(0u, 1u, _e552)) != 0i);
-                                if _e565 {
-                                    let _e569 = local_2.member.member[_e563];
-                                    let _e573 = local_2.member.member_1[_e563];
-                                    let _e578 = (((_e573 * 0.5f) - (_e569 * 0.5f)) * (1f / 512f));
-                                    let _e581 = local_2.member_1[_e563];
-                                    let _e584 = local_2.member_1[_e563];
-                                    let _e586 = (_e581 + (_e584 * 0.00390625f));
-                                    let _e588 = select(_e586, _e578, (_e578 > _e586));
-                                    local_1.member[_e563] = (_e569 * 0.25f);
-                                    local_1.member_1[_e563] = (1f / select(_e588, 0.000000000000000000000000000006310887f, (0.000000000000000000000000000006310887f > _e588)));
-                                }
-                                continue;
-                                continuing {
-                                    phi_950_ = type_9(select(_e549.member, (_e549.member + 1u), _e552), select(_e549.member_1, _e549.member_1, _e552));
-                                    break if !(_e565);
-                                }
-                            }
-                            let _e598 = local_1;
-                            local_4 = _e598;
-                            local = array<u32, 3>(0u, 0u, 0u);
-                            phi_1071_ = type_9(0u, 3u);
-                            loop {
-                                let _e600 = phi_1071_;
-                                let _e603 = (_e600.member < _e600.member_1);
-                                let _e614 = select(type_9().member_1, _e600.member, _e603);
-                                let _e616 = (bitcast<i32>(select(0u, 1u, _e603)) != 0i);
-                                if _e616 {
-                                    let _e619 = local_4.member[_e614];
-                                    let _e622 = local_7.member[_e614];
-                                    let _e624 = ((_e622 * 0.25f) - _e619);
-                                    let _e629 = local_7.member_1[_e614];
-                                    let _e631 = ((_e629 * 0.25f) - _e619);
-                                    let _e637 = local_4.member_1[_e614];
-                                    let _e638 = ((select(0f, _e624, (_e624 > 0f)) + select(0f, _e631, (_e631 > 0f))) * _e637);
-                                    local[_e614] = select(select(0u, select(select(u32(_e638), 0u, (_e638 < 0f)), 4294967295u, (_e638 > 4294967000f)), (_e638 > 0f)), 511u, (_e638 >= 511f));
-                                }
-                                continue;
-                                continuing {
-                                    phi_1071_ = type_9(select(_e600.member, (_e600.member + 1u), _e603), select(_e600.member_1, _e600.member_1, _e603));
-                                    break if !(_e616);
-                                }
-                            }
-                            let _e650 = local;
-                            phi_1178_ = array<u32, 3>(_e650[0], _e650[1], _e650[2]);
-                        }
-                        let _e664 = phi_1178_;
-                        phi_1179_ = _e664;
-                    } else {
-                        phi_1179_ = array<u32, 3>(0u, 0u, 0u);
-                    }
-                    let _e666 = phi_1179_;
-                    phi_1180_ = _e666;
-                } else {
-                    phi_1180_ = array<u32, 3>(0u, 0u, 0u);
-                }
-                let _e668 = phi_1180_;
-                phi_1183_ = type_9(_e289[0], _e289[1]);
-                loop {
-                    let _e671 = phi_1183_;
-                    let _e674 = (_e671.member < _e671.member_1);
-                    let _e687 = (bitcast<i32>(select(0u, 1u, _e674)) != 0i);
-                    if _e687 {
-                        let _e689 = ((_e243 * _e106) + select(type_9().member_1, _e671.member, _e674));
-                        let _e690 = (_e100 + _e689);
-                        let _e693 = params.member.member_2.member;
-                        let _e696 = params.member.member_2.member_1;
-                        let _e697 = (_e696 == 0u);
-                        let _e708 = keys.member[_e204];
-                        let _e710 = sorted.member[_e204];
-                        let _e712 = (select(select(1u, 2u, _e697), select(1u, 0u, _e697), (_e690 >= (select(1u, 8u, (_e693 == 2u)) * select(1u, 10u, (_e693 == 2u))))) << bitcast<u32>(30u));
-                        if (_e693 == 1u) {
-                            let _e825 = survey.member[6u];
-                            let _e836 = bitcast<u32>(select(select(_e710.member_1[2], _e710.member_1[1], (_e825 == 1u)), _e710.member_1[0], (_e825 == 0u)));
-                            let _e840 = bitcast<u32>(bitcast<f32>(select(_e836, 0u, (_e836 == 2147483648u))));
-                            phi_1473_ = array<u32, 2>(((_e712 | (_e708 & 1073741823u)) + _e690), (_e712 | (select((_e840 | 2147483648u), ~(_e840), ((_e840 >> bitcast<u32>(31i)) == 1u)) >> bitcast<u32>(2i))));
-                        } else {
-                            if (_e693 == 2u) {
-                                let _e716 = (_e690 % 80u);
-                                let _e718 = (_e716 % 10u);
-                                let _e721 = select(false, ((_e716 / 10u) == 0u), (_e696 == 1u));
-                                if (_e267 >= 8u) {
-                                    phi_1459_ = array<u32, 2>();
-                                    phi_1460_ = true;
-                                } else {
-                                    if select(true, select(true, false, (_e718 < 4u)), _e721) {
-                                        if (_e718 == 9u) {
-                                            phi_1449_ = array<u32, 2>(0u, 134217727u);
-                                        } else {
-                                            let _e729 = (_e668[1] + (_e718 % 3u));
-                                            let _e732 = (_e668[2] + (_e718 / 3u));
-                                            if (_e729 < 1u) {
-                                                phi_1442_ = array<u32, 2>();
-                                                phi_1443_ = true;
-                                            } else {
-                                                if (_e732 < 1u) {
-                                                    phi_1440_ = array<u32, 2>();
-                                                    phi_1441_ = true;
-                                                } else {
-                                                    if (_e729 > 512u) {
-                                                        phi_1438_ = array<u32, 2>();
-                                                        phi_1439_ = true;
-                                                    } else {
-                                                        let _e736 = (_e732 > 512u);
-                                                        if _e736 {
-                                                            phi_1437_ = array<u32, 2>();
-                                                        } else {
-                                                            let _e738 = (_e668[0] > 0u);
-                                                            let _e741 = select(true, select(true, false, (_e718 == 4u)), _e721);
-                                                            phi_1437_ = array<u32, 2>(((((_e732 - 1u) << bitcast<u32>(18u)) | ((_e729 - 1u) << bitcast<u32>(9u))) | select(select(u32(), select(u32(), (_e668[0] - 1u), _e741), _e738), _e668[0], select(true, select(true, false, _e741), _e738))), ((((_e732 - 1u) << bitcast<u32>(18u)) | ((_e729 - 1u) << bitcast<u32>(9u))) | select(_e668[0], (_e668[0] + 1u), ((_e668[0] + 1u) < 512u))));
-                                                        }
-                                                        let _e775 = phi_1437_;
-                                                        phi_1438_ = _e775;
-                                                        phi_1439_ = _e736;
-                                                    }
-                                                    let _e777 = phi_1438_;
-                                                    let _e779 = phi_1439_;
-                                                    phi_1440_ = _e777;
-                                                    phi_1441_ = _e779;
-                                                }
-                                                let _e781 = phi_1440_;
-                                                let _e783 = phi_1441_;
-                                                phi_1442_ = _e781;
-                                                phi_1443_ = _e783;
-                                            }
-                                            let _e785 = phi_1442_;
-                                            let _e787 = phi_1443_;
-                                            phi_1449_ = array<u32, 2>(select(_e785[0], 1u, _e787), select(_e785[1], 0u, _e787));
-                                        }
-                                        let _e794 = phi_1449_;
-                                        phi_1457_ = array<u32, 2>(((_e267 << bitcast<u32>(27u)) | _e794[0]), ((_e267 << bitcast<u32>(27u)) | _e794[1]));
-                                        phi_1458_ = false;
+                                let _e550 = phi_951_;
+                                let _e553 = (_e550.member < _e550.member_1);
+                                let _e564 = select(type_9().member_1, _e550.member, _e553);
+                                let _e566 = (bitcast<i32>(select(0u, 1u, _e553)) != 0i);
+                                if _e566 {
+                                    let _e570 = local_2.member.member[_e564];
+                                    let _e574 = local_2.member.member_1[_e564];
+                                    let _e579 = (((_e574 * 0.5f) - (_e570 * 0.5f)) * (1f / 512f));
+                                    let _e582 = local_2.member_1[_e564];
+                                    let _e585 = local_2.member_1[_e564];
+                                    let _e587 = (_e582 + (_e585 * 0.00390625f));
+                                    let _e589 = select(_e587, _e579, (_e579 > _e587));
+                                    let _e591 = select(_e589, 0.000000000000000000000000000006310887f, (0.000000000000000000000000000006310887f > _e589));
+                                    local_1.member[_e564] = (_e570 * 0.25f);
+                                    if (_e591 > 5316912000000000000000000000000000000f) {
+                                        phi_1044_ = 0f;
                                     } else {
-                                        phi_1457_ = array<u32, 2>();
-                                        phi_1458_ = true;
+                                        phi_1044_ = (1f / _e591);
                                     }
-                                    let _e805 = phi_1457_;
-                                    let _e807 = phi_1458_;
-                                    phi_1459_ = _e805;
-                                    phi_1460_ = _e807;
+                                    let _e598 = phi_1044_;
+                                    local_1.member_1[_e564] = _e598;
                                 }
-                                let _e809 = phi_1459_;
-                                let _e811 = phi_1460_;
-                                phi_1472_ = array<u32, 2>((_e712 | select(_e809[0], 1u, _e811)), (_e712 | select(_e809[1], 0u, _e811)));
-                            } else {
-                                phi_1472_ = array<u32, 2>(_e712, _e712);
+                                continue;
+                                continuing {
+                                    phi_951_ = type_9(select(_e550.member, (_e550.member + 1u), _e553), select(_e550.member_1, _e550.member_1, _e553));
+                                    break if !(_e566);
+                                }
                             }
-                            let _e820 = phi_1472_;
-                            phi_1473_ = _e820;
+                            let _e602 = local_1;
+                            local_4 = _e602;
+                            local = array<u32, 3>(0u, 0u, 0u);
+                            phi_1077_ = type_9(0u, 3u);
+                            loop {
+                                let _e604 = phi_1077_;
+                                let _e607 = (_e604.member < _e604.member_1);
+                                let _e618 = select(type_9().member_1, _e604.member, _e607);
+                                let _e620 = (bitcast<i32>(select(0u, 1u, _e607)) != 0i);
+                                if _e620 {
+                                    let _e623 = local_4.member[_e618];
+                                    let _e626 = local_7.member[_e618];
+                                    let _e628 = ((_e626 * 0.25f) - _e623);
+                                    let _e633 = local_7.member_1[_e618];
+                                    let _e635 = ((_e633 * 0.25f) - _e623);
+                                    let _e641 = local_4.member_1[_e618];
+                                    let _e642 = ((select(0f, _e628, (_e628 > 0f)) + select(0f, _e635, (_e635 > 0f))) * _e641);
+                                    local[_e618] = select(select(0u, select(select(u32(_e642), 0u, (_e642 < 0f)), 4294967295u, (_e642 > 4294967000f)), (_e642 > 0f)), 511u, (_e642 >= 511f));
+                                }
+                                continue;
+                                continuing {
+                                    phi_1077_ = type_9(select(_e604.member, (_e604.member + 1u), _e607), select(_e604.member_1, _e604.member_1, _e607));
+                                    break if !(_e620);
+                                }
+                            }
+                            let _e654 = local;
+                            phi_1184_ = array<u32, 3>(_e654[0], _e654[1], _e654[2]);
                         }
-                        let _e852 = phi_1473_;
-                        if (_e852[0] <= _e852[1]) {
-                            let _e857 = atomicMin((&ranges[_e689]), _e852[0]);
-                            let _e860 = atomicMax((&ranges[(128u + _e689)]), _e852[1]);
+                        let _e668 = phi_1184_;
+                        phi_1185_ = _e668;
+                    } else {
+                        phi_1185_ = array<u32, 3>(0u, 0u, 0u);
+                    }
+                    let _e670 = phi_1185_;
+                    phi_1186_ = _e670;
+                } else {
+                    phi_1186_ = array<u32, 3>(0u, 0u, 0u);
+                }
+                let _e672 = phi_1186_;
+                phi_1189_ = type_9(_e290[0], _e290[1]);
+                loop {
+                    let _e675 = phi_1189_;
+                    let _e678 = (_e675.member < _e675.member_1);
+                    let _e691 = (bitcast<i32>(select(0u, 1u, _e678)) != 0i);
+                    if _e691 {
+                        let _e693 = ((_e244 * _e107) + select(type_9().member_1, _e675.member, _e678));
+                        let _e694 = (_e101 + _e693);
+                        let _e697 = params.member.member_2.member;
+                        let _e700 = params.member.member_2.member_1;
+                        let _e701 = (_e700 == 0u);
+                        let _e712 = keys.member[_e205];
+                        let _e714 = sorted.member[_e205];
+                        let _e716 = (select(select(1u, 2u, _e701), select(1u, 0u, _e701), (_e694 >= (select(1u, 8u, (_e697 == 2u)) * select(1u, 10u, (_e697 == 2u))))) << bitcast<u32>(30u));
+                        if (_e697 == 1u) {
+                            let _e829 = survey.member[6u];
+                            let _e840 = bitcast<u32>(select(select(_e714.member_1[2], _e714.member_1[1], (_e829 == 1u)), _e714.member_1[0], (_e829 == 0u)));
+                            let _e844 = bitcast<u32>(bitcast<f32>(select(_e840, 0u, (_e840 == 2147483648u))));
+                            phi_1479_ = array<u32, 2>(((_e716 | (_e712 & 1073741823u)) + _e694), (_e716 | (select((_e844 | 2147483648u), ~(_e844), ((_e844 >> bitcast<u32>(31i)) == 1u)) >> bitcast<u32>(2i))));
+                        } else {
+                            if (_e697 == 2u) {
+                                let _e720 = (_e694 % 80u);
+                                let _e722 = (_e720 % 10u);
+                                let _e725 = select(false, ((_e720 / 10u) == 0u), (_e700 == 1u));
+                                if (_e268 >= 8u) {
+                                    phi_1465_ = array<u32, 2>();
+                                    phi_1466_ = true;
+                                } else {
+                                    if select(true, select(true, false, (_e722 < 4u)), _e725) {
+                                        if (_e722 == 9u) {
+                                            phi_1455_ = array<u32, 2>(0u, 134217727u);
+                                        } else {
+                                            let _e733 = (_e672[1] + (_e722 % 3u));
+                                            let _e736 = (_e672[2] + (_e722 / 3u));
+                                            if (_e733 < 1u) {
+                                                phi_1448_ = array<u32, 2>();
+                                                phi_1449_ = true;
+                                            } else {
+                                                if (_e736 < 1u) {
+                                                    phi_1446_ = array<u32, 2>();
+                                                    phi_1447_ = true;
+                                                } else {
+                                                    if (_e733 > 512u) {
+                                                        phi_1444_ = array<u32, 2>();
+                                                        phi_1445_ = true;
+                                                    } else {
+                                                        let _e740 = (_e736 > 512u);
+                                                        if _e740 {
+                                                            phi_1443_ = array<u32, 2>();
+                                                        } else {
+                                                            let _e742 = (_e672[0] > 0u);
+                                                            let _e745 = select(true, select(true, false, (_e722 == 4u)), _e725);
+                                                            phi_1443_ = array<u32, 2>(((((_e736 - 1u) << bitcast<u32>(18u)) | ((_e733 - 1u) << bitcast<u32>(9u))) | select(select(u32(), select(u32(), (_e672[0] - 1u), _e745), _e742), _e672[0], select(true, select(true, false, _e745), _e742))), ((((_e736 - 1u) << bitcast<u32>(18u)) | ((_e733 - 1u) << bitcast<u32>(9u))) | select(_e672[0], (_e672[0] + 1u), ((_e672[0] + 1u) < 512u))));
+                                                        }
+                                                        let _e779 = phi_1443_;
+                                                        phi_1444_ = _e779;
+                                                        phi_1445_ = _e740;
+                                                    }
+                                                    let _e781 = phi_1444_;
+                                                    let _e783 = phi_1445_;
+                                                    phi_1446_ = _e781;
+                                                    phi_1447_ = _e783;
+                                                }
+                                                let _e785 = phi_1446_;
+                                                let _e787 = phi_1447_;
+                                                phi_1448_ = _e785;
+                                                phi_1449_ = _e787;
+                                            }
+                                            let _e789 = phi_1448_;
+                                            let _e791 = phi_1449_;
+                                            phi_1455_ = array<u32, 2>(select(_e789[0], 1u, _e791), select(_e789[1], 0u, _e791));
+                                        }
+                                        let _e798 = phi_1455_;
+                                        phi_1463_ = array<u32, 2>(((_e268 << bitcast<u32>(27u)) | _e798[0]), ((_e268 << bitcast<u32>(27u)) | _e798[1]));
+                                        phi_1464_ = false;
+                                    } else {
+                                        phi_1463_ = array<u32, 2>();
+                                        phi_1464_ = true;
+                                    }
+                                    let _e809 = phi_1463_;
+                                    let _e811 = phi_1464_;
+                                    phi_1465_ = _e809;
+                                    phi_1466_ = _e811;
+                                }
+                                let _e813 = phi_1465_;
+                                let _e815 = phi_1466_;
+                                phi_1478_ = array<u32, 2>((_e716 | select(_e813[0], 1u, _e815)), (_e716 | select(_e813[1], 0u, _e815)));
+                            } else {
+                                phi_1478_ = array<u32, 2>(_e716, _e716);
+                            }
+                            let _e824 = phi_1478_;
+                            phi_1479_ = _e824;
+                        }
+                        let _e856 = phi_1479_;
+                        if (_e856[0] <= _e856[1]) {
+                            let _e861 = atomicMin((&ranges[_e693]), _e856[0]);
+                            let _e864 = atomicMax((&ranges[(128u + _e693)]), _e856[1]);
                         }
                     }
                     continue;
                     continuing {
-                        phi_1183_ = type_9(select(_e671.member, (_e671.member + 1u), _e674), select(_e671.member_1, _e671.member_1, _e674));
-                        break if !(_e687);
+                        phi_1189_ = type_9(select(_e675.member, (_e675.member + 1u), _e678), select(_e675.member_1, _e675.member_1, _e678));
+                        break if !(_e691);
                     }
                 }
             }
             continue;
             continuing {
-                phi_398_ = type_9(select(_e229.member, (_e229.member + 1u), _e232), select(_e229.member_1, _e229.member_1, _e232));
-                break if !(_e245);
+                phi_399_ = type_9(select(_e230.member, (_e230.member + 1u), _e233), select(_e230.member_1, _e230.member_1, _e233));
+                break if !(_e246);
             }
         }
     }
     workgroupBarrier();
-    let _e864 = atomicLoad((&ranges[_e81]));
-    let _e867 = atomicLoad((&ranges[(128u + _e81)]));
-    if (_e864 <= _e867) {
-        phi_1498_ = type_14(0i, 32i);
-        phi_1501_ = 0u;
-        phi_1503_ = _e104;
+    let _e868 = atomicLoad((&ranges[_e82]));
+    let _e871 = atomicLoad((&ranges[(128u + _e82)]));
+    if (_e868 <= _e871) {
+        phi_1504_ = type_14(0i, 32i);
+        phi_1507_ = 0u;
+        phi_1509_ = _e105;
         loop {
-            let _e870 = phi_1498_;
-            let _e872 = phi_1501_;
-            let _e874 = phi_1503_;
-            local_17 = _e872;
-            local_18 = _e872;
-            local_21 = _e872;
-            if (_e870.member < _e870.member_1) {
-                let _e881 = (_e870.member + 1i);
-                phi_1499_ = type_14(select(_e881, type_15().member_1, select(false, true, ((false == (_e881 > _e870.member)) != false))), _e870.member_1);
-                phi_1544_ = type_15(1u, _e870.member);
+            let _e874 = phi_1504_;
+            let _e876 = phi_1507_;
+            let _e878 = phi_1509_;
+            local_17 = _e876;
+            local_18 = _e876;
+            local_21 = _e876;
+            if (_e874.member < _e874.member_1) {
+                let _e885 = (_e874.member + 1i);
+                phi_1505_ = type_14(select(_e885, type_15().member_1, select(false, true, ((false == (_e885 > _e874.member)) != false))), _e874.member_1);
+                phi_1550_ = type_15(1u, _e874.member);
             } else {
-                phi_1499_ = _e870;
-                phi_1544_ = type_15(0u, type_15().member_1);
+                phi_1505_ = _e874;
+                phi_1550_ = type_15(0u, type_15().member_1);
             }
-            let _e892 = phi_1499_;
-            let _e894 = phi_1544_;
-            if (bitcast<i32>(_e894.member) != 0i) {
-                if (_e872 >= _e874) {
-                    phi_1575_ = u32();
-                    phi_1576_ = u32();
-                    phi_1577_ = false;
+            let _e896 = phi_1505_;
+            let _e898 = phi_1550_;
+            if (bitcast<i32>(_e898.member) != 0i) {
+                if (_e876 >= _e878) {
+                    phi_1581_ = u32();
+                    phi_1582_ = u32();
+                    phi_1583_ = false;
                 } else {
-                    let _e901 = (_e872 + ((_e874 - _e872) / 2u));
-                    let _e903 = keys.member[_e901];
-                    let _e904 = (_e903 < _e864);
-                    phi_1575_ = select(_e872, (_e901 + 1u), _e904);
-                    phi_1576_ = select(_e901, _e874, _e904);
-                    phi_1577_ = true;
+                    let _e905 = (_e876 + ((_e878 - _e876) / 2u));
+                    let _e907 = keys.member[_e905];
+                    let _e908 = (_e907 < _e868);
+                    phi_1581_ = select(_e876, (_e905 + 1u), _e908);
+                    phi_1582_ = select(_e905, _e878, _e908);
+                    phi_1583_ = true;
                 }
-                let _e909 = phi_1575_;
-                let _e911 = phi_1576_;
-                let _e913 = phi_1577_;
-                phi_1502_ = _e909;
-                phi_1504_ = _e911;
-                phi_1578_ = _e913;
+                let _e913 = phi_1581_;
+                let _e915 = phi_1582_;
+                let _e917 = phi_1583_;
+                phi_1508_ = _e913;
+                phi_1510_ = _e915;
+                phi_1584_ = _e917;
             } else {
-                phi_1502_ = u32();
-                phi_1504_ = u32();
-                phi_1578_ = false;
+                phi_1508_ = u32();
+                phi_1510_ = u32();
+                phi_1584_ = false;
             }
-            let _e915 = phi_1502_;
-            let _e917 = phi_1504_;
-            let _e919 = phi_1578_;
+            let _e919 = phi_1508_;
+            let _e921 = phi_1510_;
+            let _e923 = phi_1584_;
             continue;
             continuing {
-                phi_1498_ = _e892;
-                phi_1501_ = _e915;
-                phi_1503_ = _e917;
-                break if !(_e919);
+                phi_1504_ = _e896;
+                phi_1507_ = _e919;
+                phi_1509_ = _e921;
+                break if !(_e923);
             }
         }
-        if (_e97 == 1u) {
-            let _e925 = params.member.member.member_2[1u];
-            let _e928 = ((_e925 + (_e91 * 128u)) + 1u);
-            let _e930 = local_17;
-            let _e933 = local_18;
-            phi_1594_ = select(_e928, _e933, (_e928 < _e930));
+        if (_e98 == 1u) {
+            let _e929 = params.member.member.member_2[1u];
+            let _e932 = ((_e929 + (_e92 * 128u)) + 1u);
+            let _e934 = local_17;
+            let _e937 = local_18;
+            phi_1600_ = select(_e932, _e937, (_e932 < _e934));
         } else {
-            let _e1189 = local_21;
-            phi_1594_ = _e1189;
+            let _e1194 = local_21;
+            phi_1600_ = _e1194;
         }
-        let _e936 = phi_1594_;
-        phi_1598_ = type_14(0i, 32i);
-        phi_1601_ = 0u;
-        phi_1603_ = _e104;
+        let _e940 = phi_1600_;
+        phi_1604_ = type_14(0i, 32i);
+        phi_1607_ = 0u;
+        phi_1609_ = _e105;
         loop {
-            let _e939 = phi_1598_;
-            let _e941 = phi_1601_;
-            let _e943 = phi_1603_;
-            local_19 = _e941;
-            local_20 = _e941;
-            local_22 = _e941;
-            if (_e939.member < _e939.member_1) {
-                let _e950 = (_e939.member + 1i);
-                phi_1599_ = type_14(select(_e950, type_15().member_1, select(false, true, ((false == (_e950 > _e939.member)) != false))), _e939.member_1);
-                phi_1644_ = type_15(1u, _e939.member);
+            let _e943 = phi_1604_;
+            let _e945 = phi_1607_;
+            let _e947 = phi_1609_;
+            local_19 = _e945;
+            local_20 = _e945;
+            local_22 = _e945;
+            if (_e943.member < _e943.member_1) {
+                let _e954 = (_e943.member + 1i);
+                phi_1605_ = type_14(select(_e954, type_15().member_1, select(false, true, ((false == (_e954 > _e943.member)) != false))), _e943.member_1);
+                phi_1650_ = type_15(1u, _e943.member);
             } else {
-                phi_1599_ = _e939;
-                phi_1644_ = type_15(0u, type_15().member_1);
+                phi_1605_ = _e943;
+                phi_1650_ = type_15(0u, type_15().member_1);
             }
-            let _e961 = phi_1599_;
-            let _e963 = phi_1644_;
-            if (bitcast<i32>(_e963.member) != 0i) {
-                if (_e941 >= _e943) {
-                    phi_1675_ = u32();
-                    phi_1676_ = u32();
-                    phi_1677_ = false;
+            let _e965 = phi_1605_;
+            let _e967 = phi_1650_;
+            if (bitcast<i32>(_e967.member) != 0i) {
+                if (_e945 >= _e947) {
+                    phi_1681_ = u32();
+                    phi_1682_ = u32();
+                    phi_1683_ = false;
                 } else {
-                    let _e970 = (_e941 + ((_e943 - _e941) / 2u));
-                    let _e972 = keys.member[_e970];
-                    let _e973 = (_e972 < (_e867 + 1u));
-                    phi_1675_ = select(_e941, (_e970 + 1u), _e973);
-                    phi_1676_ = select(_e970, _e943, _e973);
-                    phi_1677_ = true;
+                    let _e974 = (_e945 + ((_e947 - _e945) / 2u));
+                    let _e976 = keys.member[_e974];
+                    let _e977 = (_e976 < (_e871 + 1u));
+                    phi_1681_ = select(_e945, (_e974 + 1u), _e977);
+                    phi_1682_ = select(_e974, _e947, _e977);
+                    phi_1683_ = true;
                 }
-                let _e978 = phi_1675_;
-                let _e980 = phi_1676_;
-                let _e982 = phi_1677_;
-                phi_1602_ = _e978;
-                phi_1604_ = _e980;
-                phi_1678_ = _e982;
+                let _e982 = phi_1681_;
+                let _e984 = phi_1682_;
+                let _e986 = phi_1683_;
+                phi_1608_ = _e982;
+                phi_1610_ = _e984;
+                phi_1684_ = _e986;
             } else {
-                phi_1602_ = u32();
-                phi_1604_ = u32();
-                phi_1678_ = false;
+                phi_1608_ = u32();
+                phi_1610_ = u32();
+                phi_1684_ = false;
             }
-            let _e984 = phi_1602_;
-            let _e986 = phi_1604_;
-            let _e988 = phi_1678_;
+            let _e988 = phi_1608_;
+            let _e990 = phi_1610_;
+            let _e992 = phi_1684_;
             continue;
             continuing {
-                phi_1598_ = _e961;
-                phi_1601_ = _e984;
-                phi_1603_ = _e986;
-                break if !(_e988);
+                phi_1604_ = _e965;
+                phi_1607_ = _e988;
+                phi_1609_ = _e990;
+                break if !(_e992);
             }
         }
-        let _e991 = local_19;
-        if (_e936 < _e991) {
-            let _e994 = local_20;
-            let _e995 = (_e994 - _e936);
-            let _e996 = (_e995 / 1024u);
-            let _e1000 = select(_e996, (_e996 + 1u), ((_e995 % 1024u) > 0u));
-            let _e1002 = atomicAdd((&work.member[0u]), _e1000);
-            if ((_e1002 + _e1000) < _e1002) {
-                let _e1006 = atomicAdd((&work.member[2u]), 1u);
+        let _e995 = local_19;
+        if (_e940 < _e995) {
+            let _e998 = local_20;
+            let _e999 = (_e998 - _e940);
+            let _e1000 = (_e999 / 1024u);
+            let _e1004 = select(_e1000, (_e1000 + 1u), ((_e999 % 1024u) > 0u));
+            let _e1006 = atomicAdd((&work.member[0u]), _e1004);
+            if ((_e1006 + _e1004) < _e1006) {
+                let _e1010 = atomicAdd((&work.member[2u]), 1u);
             }
-            phi_1712_ = _e1002;
+            phi_1718_ = _e1006;
         } else {
-            phi_1712_ = 0u;
+            phi_1718_ = 0u;
         }
-        let _e1008 = phi_1712_;
-        phi_1713_ = _e1008;
-        let _e1207 = local_22;
-        phi_1714_ = _e1207;
-        phi_1715_ = _e936;
+        let _e1012 = phi_1718_;
+        phi_1719_ = _e1012;
+        let _e1212 = local_22;
+        phi_1720_ = _e1212;
+        phi_1721_ = _e940;
     } else {
-        phi_1713_ = 0u;
-        phi_1714_ = 0u;
-        phi_1715_ = 0u;
+        phi_1719_ = 0u;
+        phi_1720_ = 0u;
+        phi_1721_ = 0u;
     }
-    let _e1010 = phi_1713_;
-    let _e1012 = phi_1714_;
-    let _e1014 = phi_1715_;
-    atomicStore((&ranges[(256u + _e81)]), _e1014);
-    atomicStore((&ranges[(384u + _e81)]), _e1012);
-    atomicStore((&ranges[(512u + _e81)]), _e1010);
+    let _e1014 = phi_1719_;
+    let _e1016 = phi_1720_;
+    let _e1018 = phi_1721_;
+    atomicStore((&ranges[(256u + _e82)]), _e1018);
+    atomicStore((&ranges[(384u + _e82)]), _e1016);
+    atomicStore((&ranges[(512u + _e82)]), _e1014);
     workgroupBarrier();
-    phi_1730_ = type_9(0u, (select(1u, 8u, (_e94 == 2u)) * _e106));
+    phi_1736_ = type_9(0u, (select(1u, 8u, (_e95 == 2u)) * _e107));
     loop {
-        let _e1026 = phi_1730_;
-        let _e1029 = (_e1026.member < _e1026.member_1);
-        let _e1040 = select(type_9().member_1, _e1026.member, _e1029);
-        let _e1042 = (bitcast<i32>(select(0u, 1u, _e1029)) != 0i);
-        if _e1042 {
-            let _e1045 = atomicLoad((&ranges[(256u + _e1040)]));
-            let _e1048 = atomicLoad((&ranges[(384u + _e1040)]));
-            if (_e1045 < _e1048) {
-                let _e1050 = (_e1048 - _e1045);
-                let _e1051 = (_e1050 / 1024u);
-                phi_1789_ = select(_e1051, (_e1051 + 1u), ((_e1050 % 1024u) > 0u));
+        let _e1030 = phi_1736_;
+        let _e1033 = (_e1030.member < _e1030.member_1);
+        let _e1044 = select(type_9().member_1, _e1030.member, _e1033);
+        let _e1046 = (bitcast<i32>(select(0u, 1u, _e1033)) != 0i);
+        if _e1046 {
+            let _e1049 = atomicLoad((&ranges[(256u + _e1044)]));
+            let _e1052 = atomicLoad((&ranges[(384u + _e1044)]));
+            if (_e1049 < _e1052) {
+                let _e1054 = (_e1052 - _e1049);
+                let _e1055 = (_e1054 / 1024u);
+                phi_1795_ = select(_e1055, (_e1055 + 1u), ((_e1054 % 1024u) > 0u));
             } else {
-                phi_1789_ = 0u;
+                phi_1795_ = 0u;
             }
-            let _e1057 = phi_1789_;
-            let _e1058 = (_e1057 / 128u);
-            phi_1808_ = type_9(0u, select(_e1058, (_e1058 + 1u), ((_e1057 % 128u) > 0u)));
+            let _e1061 = phi_1795_;
+            let _e1062 = (_e1061 / 128u);
+            phi_1814_ = type_9(0u, select(_e1062, (_e1062 + 1u), ((_e1061 % 128u) > 0u)));
             loop {
-                let _e1065 = phi_1808_;
-                let _e1068 = (_e1065.member < _e1065.member_1);
-                let _e1081 = (bitcast<i32>(select(0u, 1u, _e1068)) != 0i);
-                if _e1081 {
-                    let _e1083 = ((select(type_9().member_1, _e1065.member, _e1068) * 128u) + _e81);
-                    if (_e1083 < _e1057) {
-                        let _e1086 = (_e1045 + (_e1083 * 1024u));
-                        let _e1087 = (_e1048 - _e1086);
-                        let _e1089 = select(_e1087, 1024u, (1024u < _e1087));
-                        let _e1090 = (_e1089 / 128u);
-                        let _e1105 = atomicLoad((&ranges[(512u + _e1040)]));
-                        let _e1106 = (_e1105 + _e1083);
-                        let _e1109 = params.member.member_1.member_3;
-                        if (_e1106 < _e1109) {
-                            let _e1111 = (2u * _e1106);
-                            atomicStore((&work.member[(4u + _e1111)]), (((_e100 + _e1040) << bitcast<u32>(24i)) | _e91));
-                            atomicStore((&work.member[(_e1111 + 5u)]), (((select(_e1090, (_e1090 + 1u), ((_e1089 % 128u) > 0u)) - 1u) << bitcast<u32>(29i)) | _e1086));
+                let _e1069 = phi_1814_;
+                let _e1072 = (_e1069.member < _e1069.member_1);
+                let _e1085 = (bitcast<i32>(select(0u, 1u, _e1072)) != 0i);
+                if _e1085 {
+                    let _e1087 = ((select(type_9().member_1, _e1069.member, _e1072) * 128u) + _e82);
+                    if (_e1087 < _e1061) {
+                        let _e1090 = (_e1049 + (_e1087 * 1024u));
+                        let _e1091 = (_e1052 - _e1090);
+                        let _e1093 = select(_e1091, 1024u, (1024u < _e1091));
+                        let _e1094 = (_e1093 / 128u);
+                        let _e1109 = atomicLoad((&ranges[(512u + _e1044)]));
+                        let _e1110 = (_e1109 + _e1087);
+                        let _e1113 = params.member.member_1.member_3;
+                        if (_e1110 < _e1113) {
+                            let _e1115 = (2u * _e1110);
+                            atomicStore((&work.member[(4u + _e1115)]), (((_e101 + _e1044) << bitcast<u32>(24i)) | _e92));
+                            atomicStore((&work.member[(_e1115 + 5u)]), (((select(_e1094, (_e1094 + 1u), ((_e1093 % 128u) > 0u)) - 1u) << bitcast<u32>(29i)) | _e1090));
                         }
                     }
                 }
                 continue;
                 continuing {
-                    phi_1808_ = type_9(select(_e1065.member, (_e1065.member + 1u), _e1068), select(_e1065.member_1, _e1065.member_1, _e1068));
-                    break if !(_e1081);
+                    phi_1814_ = type_9(select(_e1069.member, (_e1069.member + 1u), _e1072), select(_e1069.member_1, _e1069.member_1, _e1072));
+                    break if !(_e1085);
                 }
             }
         }
         continue;
         continuing {
-            phi_1730_ = type_9(select(_e1026.member, (_e1026.member + 1u), _e1029), select(_e1026.member_1, _e1026.member_1, _e1029));
-            break if !(_e1042);
+            phi_1736_ = type_9(select(_e1030.member, (_e1030.member + 1u), _e1033), select(_e1030.member_1, _e1030.member_1, _e1033));
+            break if !(_e1046);
         }
     }
     return;

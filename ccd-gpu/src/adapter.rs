@@ -204,13 +204,19 @@ pub fn instance() -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
+/// Names an adapter where options do not.
+const VARIABLE: &str = "CCD_ADAPTER";
+
 /// The adapter that is asked for.
 pub async fn choose(
     instance: &wgpu::Instance,
     options: &DeviceOptions,
 ) -> Result<wgpu::Adapter, Error> {
-    let from_environment = || std::env::var("CCD_ADAPTER").ok().filter(|name| !name.is_empty());
-    let wanted = options.adapter.clone().or_else(from_environment);
+    let of_variable = || std::env::var(VARIABLE).ok().filter(|name| !name.is_empty());
+    let (wanted, who) = match options.adapter.clone() {
+        Some(wanted) => (Some(wanted), String::new()),
+        None => (of_variable(), format!("{VARIABLE}: ")),
+    };
     let Some(wanted) = wanted else {
         let request = wgpu::RequestAdapterOptions {
             power_preference: wgpu::PowerPreference::HighPerformance,
@@ -225,7 +231,7 @@ pub async fn choose(
     let infos: Vec<wgpu::AdapterInfo> = all.iter().map(|a| a.get_info()).collect();
     match find(&infos, &wanted) {
         Some(at) => Ok(all.swap_remove(at)),
-        None => Err(Error::Unavailable { why: missing(&infos, &wanted) }),
+        None => Err(Error::Unavailable { why: who + &missing(&infos, &wanted) }),
     }
 }
 

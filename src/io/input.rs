@@ -58,6 +58,7 @@ pub(super) fn format_of(head: &[u8]) -> &'static str {
 pub(super) fn foreign(head: &[u8], format: &str) -> Option<String> {
     let is = |start: &[u8]| head.starts_with(start);
     let what = match format {
+        _ if head.is_empty() => "empty",
         _ if is(b"\xff\xfe") || is(b"\xfe\xff") => "text in UTF-16; save it as UTF-8",
         _ if is(b"\x1f\x8b") => "compressed by gzip twice; unpack it",
         _ if is(b"PK\x03\x04") => "an archive (zip); unpack it",

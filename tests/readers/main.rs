@@ -192,7 +192,7 @@ fn files_that_are_cut_short_are_refused() {
     check_refused("a.glb", b"glTF\x02\0\0\0\x03\0\0\0", "the file is cut short");
     check_refused("a.glb", b"gl", "the file is cut short");
     check_refused("b.glb", b"glTF\x02\0\0\0\xff\0\0\0{", "the file is cut short");
-    check_refused("a.ply", b"", "end of file");
+    check_refused("a.ply", b"", "the file is empty");
     for (name, says) in [("garbage.ply", "garbage.ply"), ("garbage.obj", "line 1")] {
         check_refused(name, &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], says);
     }

@@ -53,7 +53,8 @@ pub struct Scheduling {
 #[non_exhaustive]
 pub enum Scheduler {
     /// The upper levels are expanded into some thousand tasks; workers take the next one from a
-    /// shared counter, and finish it [Tang 1986].
+    /// shared counter, and finish it [Tang 1986]. Of blocks on a CPU each begins with a share of
+    /// neighbours instead, and then takes half of another's [Markatos 1994].
     #[default]
     SelfScheduling,
     /// All pairs of a level, then all of the next: no worker needs to know of another within a

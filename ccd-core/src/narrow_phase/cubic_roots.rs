@@ -58,7 +58,8 @@ impl<R: Real> Cubic<R> {
     /// that is only nearly right can hide: the derivative there is below `19 u` times the sum of
     /// its coefficients, itself at most `12 max|c|` (from the quadratic formula without
     /// cancellation, whose residual is at most `13 u` of that sum, and the rounding of the point),
-    /// so the cubic turns back by less than `228 u max|c|`.
+    /// so the cubic turns back by less than `228 u max|c|`, and with coefficients that are off by
+    /// `11 u max|c|` (below) by less than `239 u max|c|`.
     ///
     /// Where the discriminant, as it is rounded, is not above 0, no critical point is looked for,
     /// although there may be two. Then `q1^2` is rounded to at most `q0 q2`, so it is greater by at

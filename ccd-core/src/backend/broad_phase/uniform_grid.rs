@@ -41,6 +41,9 @@ pub const MARGIN: f32 = 0.003_906_25;
 /// Half of the least side of a cell, beside which numbers that a device flushes to zero vanish:
 /// 2^-97.
 pub(super) const LEAST_HALF: f32 = 6.310_887e-30;
+/// The greatest that is divided by, 2^122: beyond, the inverse nears what a device flushes, and all
+/// boxes are in one cell.
+pub(super) const GREATEST_HALF: f32 = 5.316_912e36;
 /// Rows of three cells around a cell, its own being the middle one.
 pub const ROWS: u32 = 9;
 /// The row that a cell is in itself.
@@ -103,7 +106,7 @@ impl<const BITS: u32> UniformGrid<BITS> {
             half = if of_scene > half { of_scene } else { half };
             half = if LEAST_HALF > half { LEAST_HALF } else { half };
             out.quarter_origin[k] = min * 0.25;
-            out.inverse[k] = 1.0 / half;
+            out.inverse[k] = if half > GREATEST_HALF { 0.0 } else { 1.0 / half };
         }
         out
     }

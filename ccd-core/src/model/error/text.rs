@@ -97,15 +97,17 @@ impl core::fmt::Display for Error {
                 )
             }
             Error::Method { name, backend } => {
-                let why = match name {
-                    "blocking-queue" | "lock-free-queue" => ": its workgroups must not wait",
-                    "stealing-abp" => ": its fences have no sequential consistency",
-                    _ => "",
+                let why = match (name, backend) {
+                    ("blocking-queue" | "lock-free-queue", _) => ": its workgroups must not wait",
+                    ("stealing-abp", _) => ": its fences have no sequential consistency",
+                    (_, "cpu") => ", which is for a GPU",
+                    _ => ", which is for a CPU",
                 };
+                let place = if backend == "cpu" { "CPU" } else { "GPU" };
                 // Names of methods are one word each.
                 match name.contains(' ') {
-                    true => write!(f, "the {backend} has no {name}"),
-                    false => write!(f, "the {backend} has no method `{name}`{why}"),
+                    true => write!(f, "the {place} has no {name}"),
+                    false => write!(f, "the {place} has no method `{name}`{why}"),
                 }
             }
             Error::NotCompiled { name, backend } => write!(
