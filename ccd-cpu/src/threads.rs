@@ -41,8 +41,8 @@ fn is_orphaned() -> bool {
 
 impl Threads {
     /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the
-    /// calling thread, with no pool at all, and so does 0 where threads cannot be. In a process that
-    /// was forked from one that has used rayon's pool, 0 means a new one.
+    /// calling thread, with no pool at all, and so does 0 where threads cannot be. In a process
+    /// that was forked from one that has used rayon's pool, 0 means a new one.
     pub fn new(count: usize) -> Result<Self, Error> {
         let threads = |pool, count| Ok(Self { pool, count, stop: Arc::default() });
         match count {

@@ -74,8 +74,7 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
     match kind_of(path) {
         Some(kind) => read_queries_of(path, kind),
         None => {
-            let what = "the path does not say whether the queries are vertex-face (vf) or edge-edge \
-                (ee): give their kind";
+            let what = "the path says neither vertex-face (vf) nor edge-edge (ee): give the kind";
             // Where the file cannot be opened, that is the reason to give.
             let kind = match std::fs::File::open(path) {
                 Ok(_) => ReadErrorKind::Format(what.into()),

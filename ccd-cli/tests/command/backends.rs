@@ -76,10 +76,12 @@ pub fn without_a_gpu() {
     let [a, b] = crumpled_sheet(dir.path(), 12);
     let other = tempfile::tempdir().unwrap();
     let large = crumpled_sheet(other.path(), 90);
-    let without = |args: &[&str]| {
+    let command = |args: &[&str]| {
         let mut ccd = Command::new(env!("CARGO_BIN_EXE_ccd"));
-        ccd.args(args).env("WGPU_BACKEND", "noop").output().unwrap()
+        ccd.args(args).env("WGPU_BACKEND", "noop").env_remove("CCD_ADAPTER");
+        ccd
     };
+    let without = |args: &[&str]| command(args).output().unwrap();
     let check = |quiet: &[&str]| {
         let output = without(&[&["check", &large[0], &large[1], "--json"], quiet].concat());
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
@@ -88,6 +90,9 @@ pub fn without_a_gpu() {
     };
     assert_eq!(check(&[]), "ccd: no GPU found; going on with the CPU (`ccd info` says why)\n");
     assert_eq!(check(&["--quiet"]), "");
+    let named = command(&["check", &large[0], &large[1]]).env("CCD_ADAPTER", "nowhere").output();
+    let said = text(&named.unwrap().stderr);
+    assert!(said.contains("CCD_ADAPTER: no adapter has") && said.contains("nowhere"), "{said}");
     // `info` says what there is and what to do.
     let output = without(&["info"]);
     let said = text(&output.stdout);

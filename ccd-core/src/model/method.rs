@@ -108,7 +108,7 @@ impl Builder {
     pub fn check(self, n_boxes: u64) -> Result<(), Error> {
         match self {
             Self::NearestPair { limit } if n_boxes > limit as u64 => Err(Error::TooMany {
-                element: "boxes in the quadratic builder `nearest-pair`, by its limit, which can be set",
+                element: "boxes for `nearest-pair`, by its limit, which can be set",
                 count: n_boxes,
                 limit: limit as u64,
             }),

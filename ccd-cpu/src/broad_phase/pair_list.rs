@@ -110,9 +110,9 @@ struct Segment {
     start: usize,
 }
 
-/// Pairs of the first chunk. Each has twice as many as the one before, and 16 MiB from [`LARGE`] on:
-/// the system gives memory as it is touched, and large pages only to large chunks. With a limit of
-/// memory, which counts all of a chunk, each has twice as many, or fewer if the limit is near.
+/// Pairs of the first chunk. Each has twice as many as the one before, up to [`LARGE`], and then 16
+/// MiB: the system gives memory as it is touched, and large pages only to large chunks. With a
+/// limit of memory, which counts all of a chunk, each has twice as many, or fewer if it is near.
 const FIRST: usize = 1 << 12;
 const LARGE: usize = 1 << 17;
 const MOST: usize = 1 << 21;
