@@ -130,10 +130,8 @@ impl Queries {
             );
             output::say!("tell; f.pos., f.neg.: hits and misses that the answers deny; ns: each");
             if self.precision == Precision::F32 {
-                output::say!(
-                    "Answers are about coordinates that are not rounded to f32: denied by them"
-                );
-                output::say!("is here no error.");
+                output::say!("With f32 these two are no errors: answers are about coordinates that are not");
+                output::say!("rounded.");
             }
         }
         output::flush();
