@@ -139,6 +139,7 @@ test("numbers that WebAssembly would make of other values are refused", () => {
   }
   assert.throws(() => own.step(x0, x1, { window: ["0", 1] }), /window\[0\] is 0; it must be a n/);
   assert.throws(() => new Mesh(6, [0, 1, 2, 3, 4, 5]), /faces are missing/);
+  assert.throws(() => new Mesh(6, [0, 1, 2, 3, 4, 5], null), /faces are missing/);
 });
 
 test("freeing twice does nothing, and what was freed says so", async () => {
