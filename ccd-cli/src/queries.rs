@@ -130,8 +130,8 @@ impl Queries {
             );
             output::say!("tell; f.pos., f.neg.: hits and misses that the answers deny; ns: each");
             if self.precision == Precision::F32 {
-                output::say!("With f32 these two are no errors: answers are about coordinates that are not");
-                output::say!("rounded.");
+                output::say!("With f32 these two are no errors: answers are about coordinates");
+                output::say!("that are not rounded.");
             }
         }
         output::flush();

@@ -52,6 +52,8 @@ pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
 /// least, or parts half as large, or rounds or turns of workers twice as many: dozens are more than
 /// any scene asks for.
 const MOST_RUNS: u32 = 100;
+/// Entries that a guess is not below.
+const LEAST_GUESS: u32 = 4096;
 
 /// The runs of one search so far.
 #[derive(Debug, Default)]
@@ -122,6 +124,24 @@ impl List {
         let bytes = HEADER_BYTES + capacity as u64 * words as u64 * 4;
         let buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
         Ok(Self { what, buffer, capacity, words, was_short: false })
+    }
+
+    /// A list for a number of entries that is a guess: of fewer where the device binds or has less.
+    ///
+    /// # Errors
+    /// Those of [`List::new`].
+    pub fn guessed(
+        device: &Device,
+        what: &'static str,
+        words: u32,
+        entries: u32,
+    ) -> Result<Self, Error> {
+        match Self::new(device, what, words, entries) {
+            Err(e) if e.is_of_memory() && entries > LEAST_GUESS => {
+                Self::guessed(device, what, words, (entries / 2).max(LEAST_GUESS))
+            }
+            other => other,
+        }
     }
 
     /// A list that holds these pairs from the start.

@@ -128,6 +128,12 @@ impl Bench {
         Ok(())
     }
 
+    /// Goes on with a device of the same adapter that counts and reports by itself.
+    pub fn use_device(&mut self, device: &Device) {
+        self.device = device.clone();
+        self.forget();
+    }
+
     /// Forgets bind groups and commands: call when a buffer was replaced.
     pub fn forget(&mut self) {
         self.groups.clear();

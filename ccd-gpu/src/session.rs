@@ -131,7 +131,6 @@ impl session::Engine for Engine {
     }
 
     fn change(&mut self, change: Change) -> Result<(), Error> {
-        self.abandon();
         match change {
             Change::Mesh(mesh, options) => self.take_mesh(mesh, options),
             Change::Bodies(bodies) => self.take_bodies(bodies),
@@ -163,6 +162,12 @@ impl Engine {
         self.codimensional = codimensional;
         self.device = device;
         Ok(())
+    }
+
+    /// Makes all buffers anew after a command has failed late: they may be none.
+    fn mend(&mut self) -> Result<(), Error> {
+        let device = self.device.clone();
+        device.mend(|| self.move_to(&device))
     }
 
     /// The report, for an engine over this one.
@@ -244,10 +249,7 @@ impl Engine {
     fn begin(&mut self, input: Input, sought: Sought) -> Result<(), Error> {
         let Input { given, moved, chosen } = input;
         self.abandon();
-        if self.device.failed_late() {
-            // Buffers may be none.
-            self.move_to(&self.device.clone())?;
-        }
+        self.mend()?;
         let State { mesh, options, .. } = &self.state;
         let known = moved.filter(|&moved| self.frames.buffers.positions.follows(moved));
         // The caller of `find_chosen` has checked its vertices.

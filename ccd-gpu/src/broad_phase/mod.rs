@@ -225,13 +225,16 @@ impl BroadPhase {
             items.iter().try_for_each(Checked::check_all)?;
         }
         let count = sets.map(|boxes| boxes.len() as u32);
-        let device = &self.device;
         let was_sent = std::mem::take(&mut self.is_sent);
-        if device.failed_late() {
+        let device = &self.device.clone();
+        device.mend(|| {
+            let mut bench = Bench::new(device)?;
+            bench.set_timing(self.bench.timing())?;
             self.pairs = List::new(device, "pairs", 2, self.pairs.capacity())?;
-            self.buffers = None;
+            (self.bench, self.buffers) = (bench, None);
             self.readback = Readback::default();
-        }
+            Ok(())
+        })?;
         let are_others = self.buffers.as_ref().is_none_or(|b| b.count != count);
         if are_others {
             self.buffers = None;

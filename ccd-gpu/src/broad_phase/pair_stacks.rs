@@ -27,6 +27,9 @@ use wgpu::BufferUsages as U;
 /// Pairs of nodes that a thread expands in a round: more than there are below a pair of a cut of
 /// any scene that was measured, and a tenth of a second of a slow thread.
 const TURNS: u32 = 1 << 16;
+/// The same where a CPU plays the device, whose loops may end after 65,535 rounds of all of them
+/// together ([`Device::groups`]): with the pairs of a stack, and never more.
+const TURNS_ON_CPU: u32 = 1 << 14;
 /// Rounds beyond those that stacks need, for what turns leave.
 const SPARE: u32 = 2;
 /// Most of them: there is a word for each round.
@@ -47,6 +50,7 @@ pub struct PairStacks {
     /// A list without entries, for the last round.
     left: List,
     turns: u32,
+    most_turns: u32,
     spare: u32,
 }
 
@@ -57,6 +61,8 @@ impl PairStacks {
         let words = || device.buffer("pairs of nodes of each round", BYTES, usage);
         let list = || List::new(device, "pairs of nodes", 2, 4096);
         let short = device.faults().short_rounds;
+        let is_cpu = device.info().adapter.device_type == wgpu::DeviceType::Cpu;
+        let most_turns = if is_cpu { TURNS_ON_CPU } else { u32::MAX };
         Ok(Self {
             nodes,
             rule,
@@ -64,7 +70,8 @@ impl PairStacks {
             rounds: [words()?, words()?],
             lists: [list()?, list()?],
             left: List::new(device, "pairs that are left", 0, 0)?,
-            turns: if short { 1 } else { TURNS },
+            turns: if short { 1 } else { TURNS.min(most_turns) },
+            most_turns,
             spare: if short { 0 } else { SPARE },
         })
     }
@@ -126,7 +133,7 @@ impl PairStacks {
     /// A search is over, and [`List::grow_all`] has seen what was wanted of each list.
     pub fn settle(&mut self) {
         if self.left.was_short() {
-            self.turns = self.turns.saturating_mul(2);
+            self.turns = self.turns.saturating_mul(2).min(self.most_turns);
             self.spare = (2 * self.spare + 1).min(MOST_SPARE);
         }
     }

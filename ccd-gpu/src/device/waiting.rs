@@ -2,7 +2,7 @@
 //!
 //! A native device reports an error as soon as a command was given. A browser reports it some time
 //! later. There a command counts as good until the results are waited for, which waits for reports
-//! as well; after a bad one whoever holds buffers makes them anew ([`Device::failed_late`]).
+//! as well; after a bad one whoever holds buffers makes them anew ([`Device::mend`]).
 
 use super::Device;
 use crate::error::Error;
@@ -168,10 +168,13 @@ impl Device {
         Poll::Ready(result)
     }
 
-    /// Whether a command failed after it had counted as good, so that buffers may be none; says so
-    /// once.
-    pub(crate) fn failed_late(&self) -> bool {
-        std::mem::take(&mut self.unchecked.lock().failed)
+    /// If a command failed after it had counted as good, so that buffers may be none, has them made
+    /// anew; again, if that fails, the next time.
+    pub(crate) fn mend(&self, anew: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
+        if !std::mem::take(&mut self.unchecked.lock().failed) {
+            return Ok(());
+        }
+        anew().inspect_err(|_| self.unchecked.lock().failed = true)
     }
 
     /// Waits for all that was submitted.

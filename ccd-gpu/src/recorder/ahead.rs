@@ -22,7 +22,7 @@ impl Bench {
         goal: Option<u32>,
         work: impl FnOnce(&mut Recorder),
     ) -> Result<Vec<&'static str>, Error> {
-        device.guarded("a frame", 0, || {
+        let done = device.guarded("a frame", 0, || {
             let mut recorder = self.record();
             work(&mut recorder);
             let commands = recorder.prepare()?;
@@ -41,7 +41,12 @@ impl Bench {
                 self.ahead.insert(goal, again);
             }
             Ok(stages)
-        })?
+        });
+        if done.is_err() {
+            // Of what was encoded for the next frame nothing is known.
+            self.ahead.clear();
+        }
+        done?
     }
 
     fn encoded(&self, commands: Vec<Command>, groups: Vec<wgpu::BindGroup>) -> Encoded {

@@ -30,8 +30,10 @@ impl Engine {
     pub(super) fn take_mesh(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), Error> {
         let options = of_device(options);
         check(&options)?;
+        self.mend()?;
         let device = self.device.limited(options.max_memory);
         let codimensional = Codimensional::new(&device, &mesh, &options)?;
+        self.abandon();
         self.frames.change(&device, &mesh, &options)?;
         (self.device, self.codimensional) = (device, codimensional);
         (self.state.mesh, self.state.options) = (mesh, options);
@@ -40,7 +42,7 @@ impl Engine {
 
     /// Free regions are there without a distance alone.
     pub(super) fn take_min_distance(&mut self, min_distance: f64) -> Result<(), Error> {
-        let options = &mut self.state.options;
+        let options = &self.state.options;
         let has_regions = |distance: f64| distance == 0.0;
         let free_regions = matches!(
             options.pipeline,
@@ -50,11 +52,14 @@ impl Engine {
             let options = options.clone().with_min_distance(min_distance);
             return self.take_mesh(self.state.mesh.clone(), options);
         }
+        self.abandon();
+        let options = &mut self.state.options;
         options.min_distance = min_distance;
         Ok(())
     }
 
     pub(super) fn take_bodies(&mut self, bodies: Option<Bodies>) -> Result<(), Error> {
+        self.abandon();
         let options = self.state.options.clone().with_bodies(bodies);
         self.frames.set_bodies(&self.device, &self.state.mesh, &options)?;
         self.state.options = options;

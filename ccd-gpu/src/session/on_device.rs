@@ -97,7 +97,8 @@ impl Engine {
 
     /// The buffer of positions that [`Engine::record`] reads: one [`ccd_core::records::Path`] per
     /// vertex. May be written by copies and by kernels; coordinates must be finite and at most 2^28
-    /// in size, which nothing checks. Another mesh may bring another buffer.
+    /// in size, which nothing checks. Another mesh may bring another buffer, and so may other
+    /// options with a limit of memory.
     ///
     /// It is the caller's from now on: steps that begin later have another, and keep it while they
     /// are in flight. Not so a step that is in flight when this is called for the first time: until

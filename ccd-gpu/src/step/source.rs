@@ -56,7 +56,7 @@ impl Source {
             _ => None,
         };
         // A feature overlaps some tens of others on real scenes; a list that is too short grows.
-        let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
+        let list = |what, n: u32| List::guessed(device, what, 2, n.saturating_mul(8).max(4096));
         let listed = || -> Result<Listed, Error> {
             let vf = list("overlapping vertices and faces", count[2])?;
             let pairs = [vf, list("overlapping edges", count[1])?];

@@ -149,7 +149,7 @@ impl TrianglePairs {
             boxes: boxes(device, count, None)?,
             source: method::source(device, options.broad_phase, options.scheduling, frame.count)?,
             frame,
-            pairs: List::new(device, "overlapping triangles", 2, capacity)?,
+            pairs: List::guessed(device, "overlapping triangles", 2, capacity)?,
             inputs,
             orphans: args.orphans,
             regions,

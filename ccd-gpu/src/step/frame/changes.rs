@@ -48,17 +48,14 @@ impl Frames {
     /// Goes on with another mesh or other options, in the buffers that are there as far as they are
     /// large enough. The next frame sorts; nothing changes if this fails.
     pub fn change(&mut self, device: &Device, mesh: &Mesh, options: &Options) -> Result<(), Error> {
-        // Contacts there are those of other ids.
-        self.geometry.listed = false;
         self.stale = true;
         // Under a limit of memory nothing is reused: it could not be counted anew.
         let old = Some(&self.buffers).filter(|_| device.memory().is_none());
         self.buffers = Buffers::new(device, mesh, options, old)?;
-        if device.memory().is_some() {
-            self.geometry = Geometry::default();
-        }
+        // Contacts there are those of other ids.
+        self.geometry = Geometry::default();
         (self.stale, self.of_bodies) = (false, 0);
-        self.bench.forget();
+        self.bench.use_device(device);
         self.order.forget();
         self.at_once = 0;
         Ok(())
