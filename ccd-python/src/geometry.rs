@@ -94,6 +94,9 @@ impl<'py> Contacts<'py> {
         let toi = self.toi.as_slice().map_err(refused)?;
         let state = self.state.as_slice().map_err(refused)?;
         let undecided = state_number(State::Undecided);
+        if [kind.len(), a.len(), b.len(), state.len()] != [toi.len(); 4] {
+            return Err(refused("the columns of the report have different lengths"));
+        }
         // The columns of a report can be written to.
         for ((&number, &a), &b) in kind.iter().zip(a).zip(b) {
             let [of_a, of_b] = match kind_of(number)? {

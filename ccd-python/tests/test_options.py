@@ -97,6 +97,9 @@ def test_reports_have_all_figures():
     assert report.triangles["pairs"] > 0
     copy = pickle.loads(pickle.dumps(report))
     assert copy.triangles == report.triangles and copy.n_filtered == report.n_filtered
+    parts = report.__getnewargs_ex__()[1] | {"state": report.state[1:]}
+    with pytest.raises(ValueError, match="different lengths"):
+        type(report)(**parts).geometry(x0, x1)
 
 
 def test_reports_tell_of_a_front(catalogue):
