@@ -126,7 +126,9 @@ impl BackendOptions {
         let choice = choice.map_err(|e| Failure(format!("{option}: {e}")))?;
         Ok(choice.with_notice(|why| match why {
             // Most machines have none; `ccd info` says why.
-            gpu::Error::Unavailable { .. } if std::env::var_os("CCD_ADAPTER").is_none() => {
+            gpu::Error::Unavailable { .. }
+                if std::env::var("CCD_ADAPTER").unwrap_or_default().is_empty() =>
+            {
                 output::notice!("no GPU found; going on with the CPU (`ccd info` says why)")
             }
             _ => output::notice!("{why}; going on with the CPU"),

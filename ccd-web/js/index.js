@@ -302,7 +302,7 @@ export class Session {
   /** A change of both sessions, that of the GPU if there is one. */
   #both(change) {
     this.#rest();
-    // What one refuses the other does not do either: the GPU's may refuse more.
+    // The GPU's session first: it may refuse what the CPU's accepts, and then neither changes.
     this.#gpu?.change(change);
     change(this.raw);
   }

@@ -105,7 +105,7 @@ fn check_replaced(device: &Device) {
         let found = report(&mut session).expect("contacts");
         assert!(found == still, "{round}: {} of {}", found.len(), still.len());
     }
-    // What is refused does not end it.
+    // A change that is refused does not end a step in flight.
     session.submit(&step.x0, &step.x1).expect("submitted");
     assert!(session.set_filter(|_, _, _| true).is_err());
     assert!(report(&mut session).expect("contacts") == moved);

@@ -27,8 +27,8 @@ use wgpu::BufferUsages as U;
 /// Pairs of nodes that a thread expands in a round: more than there are below a pair of a cut of
 /// any scene that was measured, and a tenth of a second of a slow thread.
 const TURNS: u32 = 1 << 16;
-/// The same where a CPU plays the device, whose loops may end after 65,535 rounds of all of them
-/// together ([`Device::groups`]): with the pairs of a stack, and never more.
+/// Turns on a device that is a CPU, at first and at most: a driver may end the loops of a thread
+/// after 65,535 rounds of all of them together ([`Device::groups`]).
 const TURNS_ON_CPU: u32 = 1 << 14;
 /// Rounds beyond those that stacks need, for what turns leave.
 const SPARE: u32 = 2;
